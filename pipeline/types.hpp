@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernels/shared_types.h"
+
+namespace touchstone {
+
+/// T_a_b takes points of frame b to frame a. Frames: g global (the volume's), c camera.
+using RigidTransform = Eigen::Isometry3f;
+
+/// One depth picture, borrowed for the call. Row-major, millimetres, 0 = invalid.
+struct DepthView {
+    std::span<const std::uint16_t> depth_mm;
+    Intrinsics intrinsics{};
+};
+
+/// What the table looks like from the depth camera: RGBA, 8 bits, row-major, the size of the depth picture.
+/// Alpha 255: background (paint may cover it); alpha 0: moving foreground (paint goes under it).
+struct ShadedView {
+    int width_px = 0;
+    int height_px = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// The part of the background that takes touches: a rectangle on a plane, in the camera frame.
+/// area_uv = (0,0) at origin, (1,0) at origin + axis_u, (0,1) at origin + axis_v.
+struct InteractiveArea {
+    Eigen::Vector3f origin_c_m{0.f, 0.f, 0.f};
+    Eigen::Vector3f axis_u_c_m{1.f, 0.f, 0.f};
+    Eigen::Vector3f axis_v_c_m{0.f, 1.f, 0.f};
+};
+
+/// Places of a point of the camera frame in the area: 0..1 inside it, not clamped.
+Eigen::Vector2f area_uv(const InteractiveArea& area, const Eigen::Vector3f& point_c_m);
+
+}  // namespace touchstone

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernels/shared_types.h"
+
+namespace touchstone {
+
+/// One depth picture with its colour picture, as a driver of ours hands it to OpenNI2.
+struct SourceFrame {
+    int index = 0;                        ///< the file's number, or counted from 0
+    std::uint64_t timestamp_us = 0;       ///< of the source's clock
+    std::vector<std::uint16_t> depth_mm;  ///< width x height, row-major, 0 = invalid
+    std::vector<std::uint8_t> color_rgb;  ///< 3 bytes a pixel, row-major; empty when there is none for this frame
+};
+
+enum class Pace {
+    live,  ///< frames come at the source's rate, the reader takes the latest
+    step,  ///< every frame in order, made when the reader asks
+};
+
+struct SourceInfo {
+    Intrinsics intrinsics{};
+    bool has_color = false;
+    int color_width_px = 0;
+    int color_height_px = 0;
+    double rate_hz = 30.0;
+    Pace default_pace = Pace::live;
+};
+
+/// What a driver of ours replays or makes up. The OpenNI2 plumbing (device, streams, pace, end of stream) is one
+/// piece of code for all of them: source_driver.hpp.
+class FrameSource {
+  public:
+    virtual ~FrameSource() = default;
+    virtual const SourceInfo& info() const = 0;
+    /// Colour is made only when a colour stream runs.
+    virtual void enable_color(bool enabled) = 0;
+    /// Fills the next frame; false after the last one. Throws Error (system/error.hpp) on bad data.
+    virtual bool next(SourceFrame& frame) = 0;
+};
+
+}  // namespace touchstone

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace touchstone {
+
+enum class ReportedPhase { down, move, up };
+
+/// A finger as it leaves the process. camera_mm is the point on the surface; surface is 0..1 over the interactive area.
+struct ReportedFinger {
+    int id = 0;
+    ReportedPhase phase = ReportedPhase::down;  ///< of a touch; without meaning for a hover
+    std::array<double, 3> camera_mm{};
+    std::array<double, 2> surface{};
+    double height_mm = 0.0;
+};
+
+/// Everything one processed frame tells the outside.
+struct TouchReport {
+    int frame = 0;
+    std::uint64_t time_us = 0;
+    std::string state;
+    std::vector<ReportedFinger> touches;
+    std::vector<ReportedFinger> hovers;
+};
+
+/// Takes the report of each processed frame: event log, TUIO.
+class TouchSink {
+  public:
+    virtual ~TouchSink() = default;
+    virtual void publish(const TouchReport& report) = 0;
+};
+
+}  // namespace touchstone
