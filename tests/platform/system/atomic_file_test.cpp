@@ -1,0 +1,79 @@
+#include "platform/system/atomic_file.hpp"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iterator>
+
+#include "platform/system/error.hpp"
+
+namespace touchstone {
+namespace {
+
+std::string content_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class AtomicFile : public testing::Test {
+  protected:
+    AtomicFile() {
+        std::string pattern = testing::TempDir() + "atomic_file_XXXXXX";
+        folder_ = ::mkdtemp(pattern.data());
+    }
+    ~AtomicFile() override { std::filesystem::remove_all(folder_); }
+
+    std::size_t files() const {
+        const std::filesystem::directory_iterator all(folder_);
+        return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(AtomicFile, WritesAndReplacesAndLeavesNothingBeside) {
+    const std::filesystem::path path = folder_ / "scan.bin";
+    const std::string old_content(100'000, '\x7f');
+    write_file_atomically(path, old_content);
+    EXPECT_EQ(content_of(path), old_content);
+    write_file_atomically(path, std::string_view("new\0bytes", 9));
+    EXPECT_EQ(content_of(path), std::string("new\0bytes", 9));
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFile, AFileLeftByAPowerCutDoesNotDisturb) {
+    std::ofstream(folder_ / "scan.bin.new") << "half of an older, longer wri";
+    write_file_atomically(folder_ / "scan.bin", "whole");
+    EXPECT_EQ(content_of(folder_ / "scan.bin"), "whole");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFile, AReaderOfTheOldFileKeepsItsContent) {
+    write_file_atomically(folder_ / "scan.bin", "old");
+    std::ifstream reader(folder_ / "scan.bin");
+    write_file_atomically(folder_ / "scan.bin", "new");
+    std::string seen;
+    reader >> seen;
+    EXPECT_EQ(seen, "old");
+}
+
+TEST_F(AtomicFile, NamesPathAndReasonWhereItCannotWrite) {
+    const std::filesystem::path path = folder_ / "missing" / "scan.bin";
+    try {
+        write_file_atomically(path, "x");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::io_error);
+        EXPECT_THAT(error.what(), testing::HasSubstr(path.string()));
+        EXPECT_THAT(error.what(), testing::HasSubstr("No such file or directory"));
+    }
+}
+
+TEST_F(AtomicFile, AFailedRenameLeavesNothingBeside) {
+    std::filesystem::create_directories(folder_ / "scan.bin" / "occupied");
+    EXPECT_THROW(write_file_atomically(folder_ / "scan.bin", "x"), Error);
+    EXPECT_EQ(files(), 1u);
+}
+
+}  // namespace
+}  // namespace touchstone
