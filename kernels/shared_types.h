@@ -30,6 +30,36 @@ typedef struct SensorNoise {
     float constant_m, quadratic, offset_m, grazing;
 } SensorNoise;
 
+/* Size of every per-pixel map of one camera. pitch and rows are width and height rounded up to whole tiles of
+ * TILE_PX x TILE_PX; pixels beyond the picture are invalid. A map of k planes holds plane after plane. */
+#define TILE_PX 16
+typedef struct MapShape {
+    int width_px, height_px, pitch_px, rows_px;
+} MapShape;
+
+/* Bilateral filter: weight (1 - e/8)^8 for e < 8 of e = du^2/(2 sigma_px^2) + dz^2/(2 (range_sigmas sigma_z)^2). */
+typedef struct FilterParams {
+    SensorNoise noise;
+    float spatial_sigma_px, range_sigmas, min_depth_m, max_depth_m;
+} FilterParams;
+
+/* A cube of size_vox^3 voxels in bricks of BRICK_VOX^3. The global frame has its origin in the cube's corner.
+ * Voxel i covers [i, i+1) voxel_m; its sample is at the centre. */
+#define BRICK_VOX 8
+#define BRICK_VOXELS 512
+typedef struct VolumeParams {
+    float voxel_m, max_truncation_m, min_truncation_m;
+    int size_vox, bricks_per_side, max_weight;
+    int reserved[2];
+} VolumeParams;
+
+/* What a brick is to the present depth picture. */
+enum BrickClass { BRICK_HIDDEN = 0, BRICK_NEAR_SURFACE = 1, BRICK_FREE_SPACE = 2 };
+
+/* A voxel is one int: bits 0-15 TSDF / max_truncation * TSDF_SCALE, bits 16-23 weight (0 = unknown),
+ * bits 24-31 average of the TSDF's change (for the adaptive weight of moving surfaces). */
+#define TSDF_SCALE 32766.0f
+
 #ifndef __OPENCL_VERSION__
 } /* namespace touchstone */
 #endif

@@ -9,11 +9,11 @@ enum class TouchPhase { down, move, up };
 
 /// A finger over or on the surface, as the UI and the sinks see it.
 struct Fingertip {
-    int id = 0;                                          ///< the same as long as the finger is followed
-    Eigen::Vector3f surface_c_m{0.f, 0.f, 0.f};          ///< camera frame: the point on the surface under the pad
-    Eigen::Vector2f pixel_px{0.f, 0.f};                  ///< that point in the depth picture
-    Eigen::Vector2f area_uv{0.f, 0.f};                   ///< that point in the interactive area, 0..1 inside it
-    float height_m = 0.f;                                ///< of the finger's pad above the surface, signed distance
+    int id = 0;                                  ///< the same as long as the finger is followed
+    Eigen::Vector3f surface_c_m{0.f, 0.f, 0.f};  ///< camera frame: the point on the surface under the pad
+    Eigen::Vector2f pixel_px{0.f, 0.f};          ///< that point in the depth picture
+    Eigen::Vector2f area_uv{0.f, 0.f};           ///< that point in the interactive area, 0..1 inside it
+    float height_m = 0.f;                        ///< of the finger's pad above the surface, signed distance
 };
 
 /// A finger in contact. `up` is sent once, in the first frame without contact, with the last known place.

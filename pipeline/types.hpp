@@ -12,6 +12,9 @@ namespace touchstone {
 /// T_a_b takes points of frame b to frame a. Frames: g global (the volume's), c camera.
 using RigidTransform = Eigen::Isometry3f;
 
+/// The same as rows of a matrix, as kernels take it.
+Pose to_pose(const RigidTransform& T);
+
 /// One depth picture, borrowed for the call. Row-major, millimetres, 0 = invalid.
 struct DepthView {
     std::span<const std::uint16_t> depth_mm;

@@ -1,0 +1,99 @@
+/* Fig 11a: millimetres to metres, bilateral filter, normal map. Vertices follow from depth: v(u) = D(u) K^-1 [u, 1]. */
+
+/* Eight pixels a work-item; global size (pitch / 8, rows). column_shift: what is added to 1/z of each column (1/m). */
+__kernel void convert_depth(__global const ushort* depth_mm, __global float* depth_m, const MapShape shape,
+                            const FilterParams params, __global const float* column_shift) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
+    float8 z = (float8)(0.0f);
+    if (y < shape.height_px && x + 8 <= shape.width_px) {
+        z = convert_float8(vload8(0, depth_mm + y * shape.width_px + x)) * 0.001f;
+    } else if (y < shape.height_px) {
+        float tail[8] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+        for (int i = 0; x + i < shape.width_px; ++i) tail[i] = (float)depth_mm[y * shape.width_px + x + i] * 0.001f;
+        z = vload8(0, tail);
+    }
+    z = z / (1.0f + z * vload8(0, column_shift + x));
+    const int8 valid = (z >= params.min_depth_m) & (z <= params.max_depth_m);
+    vstore8(select((float8)(0.0f), z, valid), 0, depth_m + y * shape.pitch_px + x);
+}
+
+inline float8 compact_gauss8(const float8 e) {
+    float8 w = fmax(1.0f - e * 0.125f, 0.0f);
+    w *= w;
+    w *= w;
+    return w * w;
+}
+
+inline float8 load_or_zero8(__global const float* row, const int x, const MapShape shape) {
+    return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (float8)(0.0f);
+}
+
+__kernel void bilateral_filter(__global const float* depth_m, __global float* filtered_m, const MapShape shape,
+                               const FilterParams params) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
+    const float8 center = vload8(0, depth_m + y * shape.pitch_px + x);
+    const float8 range_sigma_m = params.range_sigmas * sigma_z8(params.noise, center);
+    const float8 range_scale = 0.5f / (range_sigma_m * range_sigma_m);
+    const float spatial_scale = 0.5f / (params.spatial_sigma_px * params.spatial_sigma_px);
+    float8 sum = (float8)(0.0f), weights = (float8)(0.0f);
+    for (int j = max(-2, -y); j <= min(2, shape.rows_px - 1 - y); ++j) {
+        __global const float* row = depth_m + (y + j) * shape.pitch_px;
+        const float8 a = load_or_zero8(row, x - 8, shape), b = vload8(0, row + x), c = load_or_zero8(row, x + 8, shape);
+        const float8 taps[5] = {(float8)(a.s67, b.s0123, b.s45), (float8)(a.s7, b.s0123, b.s456), b,
+                                (float8)(b.s1234, b.s567, c.s0), (float8)(b.s2345, b.s67, c.s01)};
+        for (int i = -2; i <= 2; ++i) {
+            const float8 d = taps[i + 2];
+            const float8 dz = d - center;
+            const float8 w = compact_gauss8((float)(i * i + j * j) * spatial_scale + dz * dz * range_scale);
+            const float8 used = select((float8)(0.0f), w, d > 0.0f);
+            sum += used * dz;
+            weights += used;
+        }
+    }
+    const float8 filtered = center + sum / fmax(weights, 1e-6f);
+    vstore8(select((float8)(0.0f), filtered, center > 0.0f), 0, filtered_m + y * shape.pitch_px + x);
+}
+
+/* The difference of the neighbours on one axis, or of one neighbour and the pixel where the other is missing or more
+ * than gap_m away. ok: -1 where there is one. */
+inline Points8 neighbour_difference8(const Points8 before, const Points8 here, const Points8 after, const float8 gap_m,
+                                     int8* ok) {
+    const int8 has_before = (before.z > 0.0f) & (fabs(before.z - here.z) < gap_m);
+    const int8 has_after = (after.z > 0.0f) & (fabs(after.z - here.z) < gap_m);
+    *ok = has_before | has_after;
+    Points8 d;
+    d.x = select(here.x, after.x, has_after) - select(here.x, before.x, has_before);
+    d.y = select(here.y, after.y, has_after) - select(here.y, before.y, has_before);
+    d.z = select(here.z, after.z, has_after) - select(here.z, before.z, has_before);
+    return d;
+}
+
+/* n(u) = dv/dx x dv/dy, unit length, facing the camera; the zero vector where there is none. Three planes. */
+__kernel void normal_map(__global const float* depth_m, __global float* normals_c, const MapShape shape,
+                         const Intrinsics k, const float gap_per_m) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
+    __global const float* row = depth_m + y * shape.pitch_px;
+    const float8 a = load_or_zero8(row, x - 8, shape), b = vload8(0, row + x), c = load_or_zero8(row, x + 8, shape);
+    const float8 up = y > 0 ? vload8(0, row - shape.pitch_px + x) : (float8)(0.0f);
+    const float8 down = y + 1 < shape.rows_px ? vload8(0, row + shape.pitch_px + x) : (float8)(0.0f);
+    const Points8 here = back_project8(k, x, y, b);
+    const float8 gap_m = gap_per_m * b;
+    int8 ok_x, ok_y;
+    const Points8 du = neighbour_difference8(back_project8(k, x - 1, y, (float8)(a.s7, b.s0123, b.s456)), here,
+                                             back_project8(k, x + 1, y, (float8)(b.s1234, b.s567, c.s0)), gap_m, &ok_x);
+    const Points8 dv = neighbour_difference8(back_project8(k, x, y - 1, up), here, back_project8(k, x, y + 1, down),
+                                             gap_m, &ok_y);
+    Points8 n;
+    n.x = du.y * dv.z - du.z * dv.y;
+    n.y = du.z * dv.x - du.x * dv.z;
+    n.z = du.x * dv.y - du.y * dv.x;
+    const float8 length2 = dot8(n, n);
+    const int8 ok = (b > 0.0f) & ok_x & ok_y & (length2 > 0.0f);
+    float8 scale = rsqrt(select((float8)(1.0f), length2, ok));
+    scale = select(scale, -scale, dot8(n, here) > 0.0f);
+    scale = select((float8)(0.0f), scale, ok);
+    const int plane = shape.pitch_px * shape.rows_px, at = y * shape.pitch_px + x;
+    vstore8(n.x * scale, 0, normals_c + at);
+    vstore8(n.y * scale, 0, normals_c + plane + at);
+    vstore8(n.z * scale, 0, normals_c + 2 * plane + at);
+}

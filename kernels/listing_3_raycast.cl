@@ -1,0 +1,114 @@
+/* Listing 3, the part that predicts the surface: depth, normal and weight per pixel of a view, for a list of tiles.
+ * A work-group is one 16x16 tile, a work-item eight rays along x. t is the depth z of the ray's point (PAPER.md#5). */
+
+typedef struct Crossing8 {
+    float8 before, after; /* depths of the last positive and the first negative sample */
+    int8 found;
+} Crossing8;
+
+inline Points8 ray_points8(const Points8 origin, const Points8 direction, const float8 t) {
+    Points8 p;
+    p.x = origin.x + direction.x * t;
+    p.y = origin.y + direction.y * t;
+    p.z = origin.z + direction.z * t;
+    return p;
+}
+
+/* Walks rays in voxel units from t to end until the TSDF changes from positive to negative. Unknown voxels never make
+ * a crossing; from negative to positive means that the ray comes from behind: it ends. */
+inline Crossing8 walk8(__global const int* table, __global const int* pool, const VolumeParams volume,
+                       const Points8 origin, const Points8 direction, const float8 voxel_step, const float start,
+                       const float end) {
+    Crossing8 crossing;
+    crossing.before = crossing.after = (float8)(0.0f);
+    crossing.found = (int8)(0);
+    const float scale = 0.8f * volume.max_truncation_m / volume.voxel_m;
+    const float size = (float)volume.size_vox;
+    float8 t = (float8)(start), t_before = t, before = (float8)(0.0f);
+    int8 live = (int8)(-1);
+    for (int step = 0; step < 4096 && any(live); ++step) {
+        const Points8 p = ray_points8(origin, direction, t);
+        const int8 inside = (p.x >= 0.0f) & (p.y >= 0.0f) & (p.z >= 0.0f) & (p.x < size) & (p.y < size) & (p.z < size);
+        const int8 x = convert_int8_rtz(select((float8)(0.0f), p.x, inside));
+        const int8 y = convert_int8_rtz(select((float8)(0.0f), p.y, inside));
+        const int8 z = convert_int8_rtz(select((float8)(0.0f), p.z, inside));
+        const int8 voxel = read_voxels8(table, pool, volume, x, y, z);
+        const int8 known = inside & (voxel_weight8(voxel) > 0);
+        const float8 tsdf = select((float8)(0.0f), voxel_tsdf8(voxel), known);
+        const int8 hit = live & known & (tsdf < 0.0f) & (before > 0.0f);
+        crossing.before = select(crossing.before, t_before, hit);
+        crossing.after = select(crossing.after, t, hit);
+        crossing.found |= hit;
+        live &= ~hit & ~(known & (tsdf > 0.0f) & (before < 0.0f));
+        t_before = t;
+        before = tsdf;
+        const float8 known_step = fmax(1.0f, scale * tsdf);
+        t += voxel_step * select((float8)(2.0f), known_step, known);
+        live &= t < end;
+    }
+    return crossing;
+}
+
+/* Narrows the crossing by regula falsi on trilinear samples. -1 in ok where the surface was found. */
+inline float8 refine8(__global const int* table, __global const int* pool, const VolumeParams volume,
+                      const Points8 origin, const Points8 direction, Crossing8 c, Points8* gradient, int8* ok) {
+    const Sample8 s0 = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, c.before));
+    const Sample8 s1 = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, c.after));
+    float8 f0 = select((float8)(0.5f), s0.tsdf, s0.known & (s0.tsdf > 0.0f));
+    float8 f1 = select((float8)(-0.5f), s1.tsdf, s1.known & (s1.tsdf < 0.0f));
+    float8 t = c.after;
+    *ok = (int8)(0);
+    for (int i = 0; i < 3; ++i) {
+        t = c.before + (c.after - c.before) * (f0 / (f0 - f1));
+        const Sample8 s = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, t));
+        const int8 positive = s.known & (s.tsdf > 0.0f), negative = s.known & (s.tsdf <= 0.0f);
+        c.before = select(c.before, t, positive);
+        f0 = select(f0, s.tsdf, positive);
+        c.after = select(c.after, t, negative);
+        f1 = select(f1, fmin(s.tsdf, -1e-6f), negative);
+        *gradient = s.gradient;
+        *ok = s.known;
+    }
+    return t;
+}
+
+__kernel void raycast(__global const int* tiles, __global const int* tile_near, __global const int* tile_far,
+                      __global const int* table, __global const int* pool, const VolumeParams volume, const Intrinsics k,
+                      const MapShape shape, const Pose T_g_c, __global float* depth_m, __global float* normals_c) {
+    const int tile = tiles[get_group_id(0)], item = (int)get_local_id(0), per_row = shape.pitch_px / TILE_PX;
+    const int x = tile % per_row * TILE_PX + (item & 1) * 8, y = tile / per_row * TILE_PX + (item >> 1);
+    const float start = as_float(tile_near[tile]), end = as_float(tile_far[tile]);
+    const float to_vox = 1.0f / volume.voxel_m;
+    const Points8 ray_c = pixel_rays8(k, x, y);
+    Points8 direction = rotate_vectors8(T_g_c, ray_c);
+    direction.x *= to_vox, direction.y *= to_vox, direction.z *= to_vox;
+    Points8 origin;
+    origin.x = (float8)(T_g_c.row_x.w * to_vox);
+    origin.y = (float8)(T_g_c.row_y.w * to_vox);
+    origin.z = (float8)(T_g_c.row_z.w * to_vox);
+    float8 depth = (float8)(0.0f);
+    Points8 n = {depth, depth, depth};
+    if (start < end) {
+        const float8 voxel_step = volume.voxel_m * rsqrt(dot8(ray_c, ray_c));
+        const Crossing8 crossing = walk8(table, pool, volume, origin, direction, voxel_step, start, end);
+        Points8 gradient = n;
+        int8 ok;
+        const float8 t = refine8(table, pool, volume, origin, direction, crossing, &gradient, &ok);
+        // R^T turns the gradient into the camera frame.
+        n.x = T_g_c.row_x.x * gradient.x + T_g_c.row_y.x * gradient.y + T_g_c.row_z.x * gradient.z;
+        n.y = T_g_c.row_x.y * gradient.x + T_g_c.row_y.y * gradient.y + T_g_c.row_z.y * gradient.z;
+        n.z = T_g_c.row_x.z * gradient.x + T_g_c.row_y.z * gradient.y + T_g_c.row_z.z * gradient.z;
+        const float8 length2 = dot8(n, n);
+        const int8 hit = crossing.found & ok & (length2 > 0.0f);
+        const float8 scale = select((float8)(0.0f), rsqrt(fmax(length2, 1e-20f)), hit);
+        n.x *= scale, n.y *= scale, n.z *= scale;
+        const float8 columns = lanes8() + (float)x;
+        const int8 in_picture = (columns < (float)shape.width_px) & (int8)(y < shape.height_px ? -1 : 0);
+        depth = select((float8)(0.0f), t, hit & in_picture);
+    }
+    const int plane = shape.pitch_px * shape.rows_px, at = y * shape.pitch_px + x;
+    vstore8(depth, 0, depth_m + at);
+    vstore8(n.x, 0, normals_c + at);
+    vstore8(n.y, 0, normals_c + plane + at);
+    vstore8(n.z, 0, normals_c + 2 * plane + at);
+}

@@ -1,0 +1,61 @@
+/* Bricks and voxels of a TSDF volume: position, sample, gradient. */
+#ifndef TOUCHSTONE_TSDF_ACCESS_H
+#define TOUCHSTONE_TSDF_ACCESS_H
+
+inline float8 voxel_tsdf8(const int8 voxel) { return convert_float8((voxel << 16) >> 16) * (1.0f / TSDF_SCALE); }
+inline int8 voxel_weight8(const int8 voxel) { return (voxel >> 16) & 0xff; }
+
+inline int8 pack_voxels8(const float8 tsdf, const int8 weight, const int8 change) {
+    const int8 value = convert_int8_rte(clamp(tsdf, -1.0f, 1.0f) * TSDF_SCALE);
+    return (value & 0xffff) | (weight << 16) | (change << 24);
+}
+
+/* Voxels of eight cells (whole-number voxel coordinates); 0, that is unknown, outside the cube and in absent bricks. */
+inline int8 read_voxels8(__global const int* table, __global const int* pool, const VolumeParams volume, const int8 x,
+                         const int8 y, const int8 z) {
+    const int n = volume.size_vox;
+    const int8 inside = (x >= 0) & (y >= 0) & (z >= 0) & (x < n) & (y < n) & (z < n);
+    const int8 brick = ((z >> 3) * volume.bricks_per_side + (y >> 3)) * volume.bricks_per_side + (x >> 3);
+    const int8 slot = gather_int8(table, select((int8)(-1), brick, inside));
+    const int8 offset = ((z & 7) << 6) | ((y & 7) << 3) | (x & 7);
+    const int8 present = slot >= 0;
+    const int8 voxel = gather_int8(pool, select((int8)(-1), slot * BRICK_VOXELS + offset, present));
+    return select((int8)(0), voxel, present);
+}
+
+typedef struct Sample8 {
+    float8 tsdf;
+    int8 known; /* -1 where all eight neighbours are known */
+    Points8 gradient;
+} Sample8;
+
+/* Trilinear TSDF and its gradient (per voxel, not normalised) at points in voxel units. */
+inline Sample8 sample_trilinear8(__global const int* table, __global const int* pool, const VolumeParams volume,
+                                 const Points8 p_vox) {
+    const float8 fx = floor(p_vox.x - 0.5f), fy = floor(p_vox.y - 0.5f), fz = floor(p_vox.z - 0.5f);
+    const float8 ax = p_vox.x - 0.5f - fx, ay = p_vox.y - 0.5f - fy, az = p_vox.z - 0.5f - fz;
+    const int8 x = convert_int8_rtz(fx), y = convert_int8_rtz(fy), z = convert_int8_rtz(fz);
+    const int8 v000 = read_voxels8(table, pool, volume, x, y, z);
+    const int8 v100 = read_voxels8(table, pool, volume, x + 1, y, z);
+    const int8 v010 = read_voxels8(table, pool, volume, x, y + 1, z);
+    const int8 v110 = read_voxels8(table, pool, volume, x + 1, y + 1, z);
+    const int8 v001 = read_voxels8(table, pool, volume, x, y, z + 1);
+    const int8 v101 = read_voxels8(table, pool, volume, x + 1, y, z + 1);
+    const int8 v011 = read_voxels8(table, pool, volume, x, y + 1, z + 1);
+    const int8 v111 = read_voxels8(table, pool, volume, x + 1, y + 1, z + 1);
+    const float8 f000 = voxel_tsdf8(v000), f100 = voxel_tsdf8(v100), f010 = voxel_tsdf8(v010), f110 = voxel_tsdf8(v110);
+    const float8 f001 = voxel_tsdf8(v001), f101 = voxel_tsdf8(v101), f011 = voxel_tsdf8(v011), f111 = voxel_tsdf8(v111);
+    Sample8 s;
+    s.known = (voxel_weight8(v000) > 0) & (voxel_weight8(v100) > 0) & (voxel_weight8(v010) > 0) &
+              (voxel_weight8(v110) > 0) & (voxel_weight8(v001) > 0) & (voxel_weight8(v101) > 0) &
+              (voxel_weight8(v011) > 0) & (voxel_weight8(v111) > 0);
+    const float8 c00 = mix(f000, f100, ax), c10 = mix(f010, f110, ax), c01 = mix(f001, f101, ax), c11 = mix(f011, f111, ax);
+    const float8 c0 = mix(c00, c10, ay), c1 = mix(c01, c11, ay);
+    s.tsdf = mix(c0, c1, az);
+    s.gradient.z = c1 - c0;
+    s.gradient.y = mix(c10 - c00, c11 - c01, az);
+    s.gradient.x = mix(mix(f100 - f000, f110 - f010, ay), mix(f101 - f001, f111 - f011, ay), az);
+    return s;
+}
+
+#endif

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "pipeline/maps.hpp"
+#include "pipeline/tsdf_volume.hpp"
+#include "pipeline/types.hpp"
+#include "platform/opencl/program.hpp"
+
+namespace touchstone {
+
+/// Fig 11d, Listing 3: the surface of a volume as the camera would see it.
+class Raycasting {
+  public:
+    Raycasting(const Device& device, const Intrinsics& intrinsics);
+
+    /// The whole view.
+    void raycast(const TsdfVolume& volume, const RigidTransform& T_g_c, SurfacePrediction& prediction);
+    /// Only the tiles that can see one of the changed bricks (table indices). With the pose of the last
+    /// raycast the result is the same as raycast()'s; that is the cached background prediction of a fixed
+    /// camera.
+    void refresh(const TsdfVolume& volume, const RigidTransform& T_g_c, std::span<const int> changed_bricks,
+                 SurfacePrediction& prediction);
+
+  private:
+    void update_ranges(const TsdfVolume& volume, const RigidTransform& T_g_c);
+    void launch(const TsdfVolume& volume, const RigidTransform& T_g_c, int tiles,
+                SurfacePrediction& prediction);
+
+    const Device* device_;
+    Intrinsics intrinsics_;
+    MapShape shape_;
+    Program selection_, raycast_;
+    Kernel brick_range_image_, flag_brick_tiles_, raycast_kernel_;
+    Buffer<int> tile_near_, tile_far_, tiles_, bricks_;
+    Buffer<std::uint8_t> flags_;
+};
+
+}  // namespace touchstone

@@ -1,0 +1,79 @@
+#include "pipeline/tsdf_volume.hpp"
+
+#include <algorithm>
+
+#include "platform/system/log.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr std::size_t first_capacity_bricks = 4096;
+
+}  // namespace
+
+VolumeParams make_volume_params(const VolumeConfig& config) {
+    VolumeParams params{};
+    params.voxel_m = config.side_m / static_cast<float>(config.size_vox);
+    params.max_truncation_m = std::max(config.max_truncation_vox * params.voxel_m, config.min_truncation_m);
+    params.min_truncation_m = std::max(config.min_truncation_vox * params.voxel_m, config.min_truncation_m);
+    params.size_vox = config.size_vox;
+    params.bricks_per_side = config.size_vox / BRICK_VOX;
+    params.max_weight = config.max_weight;
+    return params;
+}
+
+TsdfVolume::TsdfVolume(const Device& device, const VolumeConfig& config)
+    : device_(&device), config_(config), params_(make_volume_params(config)) {
+    if (config.size_vox < BRICK_VOX || config.size_vox % BRICK_VOX != 0 || config.size_vox > 2048) {
+        throw Error(ExitStatus::configuration, "volume.size_vox must be a multiple of 8 from 8 to 2048");
+    }
+    const auto side = static_cast<std::size_t>(params_.bricks_per_side);
+    host_table_.assign(side * side * side, -1);
+    table_ = Buffer<int>(device, host_table_);
+    reserve(first_capacity_bricks);
+}
+
+std::size_t TsdfVolume::memory_bytes() const {
+    return (host_table_.size() + capacity_ * (BRICK_VOXELS + 1)) * sizeof(int);
+}
+
+void TsdfVolume::allocate(std::span<const int> bricks) {
+    const std::size_t first_new = slots_.size();
+    for (const int brick : bricks) {
+        int& slot = host_table_[static_cast<std::size_t>(brick)];
+        if (slot >= 0) continue;
+        if (slots_.size() >= static_cast<std::size_t>(config_.max_bricks)) {
+            if (!full_) log_warning("volume full: {} bricks in use, no new surface is kept", slots_.size());
+            full_ = true;
+            break;
+        }
+        slot = static_cast<int>(slots_.size());
+        slots_.push_back(brick);
+    }
+    if (slots_.size() == first_new) return;
+    reserve(slots_.size());
+    const auto table = table_.map_update();
+    const auto bricks_of_slots = brick_of_slot_.map_update();
+    for (std::size_t slot = first_new; slot < slots_.size(); ++slot) {
+        table[static_cast<std::size_t>(slots_[slot])] = static_cast<int>(slot);
+        bricks_of_slots[slot] = slots_[slot];
+    }
+}
+
+void TsdfVolume::reserve(std::size_t slots) {
+    if (slots <= capacity_) return;
+    const auto limit = static_cast<std::size_t>(config_.max_bricks);
+    const std::size_t capacity = std::min(limit, std::max({slots, 2 * capacity_, first_capacity_bricks}));
+    Buffer<int> pool(*device_, capacity * BRICK_VOXELS), brick_of_slot(*device_, capacity);
+    pool.fill(0);
+    if (capacity_ > 0) {
+        pool.copy_from(pool_);
+        brick_of_slot.copy_from(brick_of_slot_);
+    }
+    pool_ = std::move(pool);
+    brick_of_slot_ = std::move(brick_of_slot);
+    capacity_ = capacity;
+}
+
+}  // namespace touchstone

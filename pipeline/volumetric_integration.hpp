@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/maps.hpp"
+#include "pipeline/tsdf_volume.hpp"
+#include "pipeline/types.hpp"
+#include "platform/opencl/program.hpp"
+
+namespace touchstone {
+
+/// A share of the volume's brick layers along global y, so that a fixed camera's background is kept up in
+/// slices.
+struct BrickLayers {
+    int first = 0;
+    int count = 0;
+};
+/// All layers of a volume.
+BrickLayers all_layers(const TsdfVolume& volume);
+/// Part `index` of `parts` about equal parts.
+BrickLayers layer_share(const TsdfVolume& volume, int index, int parts);
+
+/// Fig 11c, Listing 2: fuses a masked depth picture into a volume, touching only bricks near or in front of
+/// the surface.
+class VolumetricIntegration {
+  public:
+    VolumetricIntegration(const Device& device, const Intrinsics& intrinsics);
+
+    /// Allocates the bricks near the surface in these layers and updates them and those in free space. Pixels
+    /// with a mask value other than 0 are left out. Gives the table indices of the bricks it updated.
+    const std::vector<int>& integrate(TsdfVolume& volume, const Buffer<float>& depth_m,
+                                      const Buffer<std::uint8_t>& mask, const RigidTransform& T_g_c,
+                                      const BrickLayers& layers);
+
+  private:
+    void classify(const TsdfVolume& volume, const Buffer<float>& depth_m, const Pose& T_c_g,
+                  const BrickLayers& layers);
+    void select_bricks(TsdfVolume& volume, const BrickLayers& layers);
+
+    const Device* device_;
+    Intrinsics intrinsics_;
+    MapShape shape_;
+    Program selection_, integration_;
+    Kernel depth_tile_ranges_, classify_bricks_, integrate_;
+    Buffer<float> tile_ranges_m_;  // nearest and farthest of each tile
+    Buffer<std::uint8_t> classes_;
+    Buffer<int> slots_;
+    std::vector<int> updated_bricks_;
+};
+
+}  // namespace touchstone

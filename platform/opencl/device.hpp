@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CL/opencl.hpp>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace touchstone {
+
+struct DeviceConfig {
+    /// auto (a GPU where there is one, else the CPU), gpu, cpu, or a part of the device's name.
+    std::string choice = "auto";
+    /// Where compiled programs are kept; empty: they are compiled at each start.
+    std::filesystem::path cache_dir;
+};
+
+/// One OpenCL device with its context and one in-order queue.
+class Device {
+  public:
+    /// Throws Error{unavailable} that names the devices there are when none fits.
+    explicit Device(const DeviceConfig& config);
+
+    const std::string& name() const { return name_; }
+    bool is_cpu() const { return is_cpu_; }
+    const std::filesystem::path& cache_dir() const { return cache_dir_; }
+    const cl::Device& handle() const { return device_; }
+    const cl::Context& context() const { return context_; }
+    const cl::CommandQueue& queue() const { return queue_; }
+    /// What a binary depends on: platform, device and driver versions.
+    std::string fingerprint() const;
+    void finish() const;
+
+  private:
+    cl::Device device_;
+    cl::Context context_;
+    cl::CommandQueue queue_;
+    std::string name_;
+    bool is_cpu_ = true;
+    std::filesystem::path cache_dir_;
+};
+
+/// $CACHE_DIRECTORY of a service, else $XDG_CACHE_HOME/touchstone, else ~/.cache/touchstone; empty when none
+/// is set.
+std::filesystem::path default_cache_dir();
+
+}  // namespace touchstone

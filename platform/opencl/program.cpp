@@ -1,0 +1,114 @@
+#include "platform/opencl/program.hpp"
+
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <xxhash.h>
+
+#include "platform/opencl/device_error.hpp"
+#include "platform/system/atomic_file.hpp"
+#include "platform/system/log.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr std::string_view build_flags = "-cl-std=CL1.2 -Werror ";
+
+std::string join_sources(std::span<const ProgramSource> sources) {
+    std::string text;
+    for (const ProgramSource& source : sources) {
+        text += "#line 1 \"" + std::string(source.path) + "\"\n" + std::string(source.text) + "\n";
+    }
+    return text;
+}
+
+std::filesystem::path binary_path(const Device& device, const std::string& text, const std::string& options) {
+    const std::string key = device.fingerprint() + "|" + options + "|" + text;
+    std::ostringstream name;
+    name << std::hex << XXH3_64bits(key.data(), key.size()) << ".clbin";
+    return device.cache_dir() / name.str();
+}
+
+/// The first line that names an error, else the whole log.
+std::string first_error(const std::string& log) {
+    std::istringstream lines(log);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find("error:") != std::string::npos) return line;
+    }
+    return log;
+}
+
+std::optional<cl::Program> load_binary(const Device& device, const std::filesystem::path& path,
+                                       const std::string& options) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
+    try {
+        cl::Program program(device.context(), {device.handle()}, cl::Program::Binaries{bytes});
+        program.build({device.handle()}, options.c_str());
+        return program;
+    } catch (const cl::Error& error) {
+        log_warning("kernel cache: {} is not usable ({}), compiling again", path.string(),
+                    opencl_error_name(error.err()));
+        return std::nullopt;
+    }
+}
+
+void save_binary(const cl::Program& program, const std::filesystem::path& path) {
+    const std::vector<std::vector<unsigned char>> binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+    if (binaries.empty() || binaries.front().empty()) return;
+    try {
+        std::filesystem::create_directories(path.parent_path());
+        const auto& bytes = binaries.front();
+        write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    } catch (const std::exception& error) {
+        log_warning("kernel cache: not saved: {}", error.what());
+    }
+}
+
+}  // namespace
+
+void Kernel::enqueue(const LaunchSize& size) {
+    const cl::NDRange global(size.global[0], size.global[1], size.global[2]);
+    const bool chosen = size.local[0] > 0;
+    const cl::NDRange local =
+        chosen ? cl::NDRange(size.local[0], size.local[1], size.local[2]) : cl::NullRange;
+    device_->queue().enqueueNDRangeKernel(kernel_, cl::NullRange, global, local);
+}
+
+Program::Program(const Device& device, std::span<const ProgramSource> sources, std::string_view options)
+    : device_(&device), file_(sources.empty() ? "" : sources.back().path) {
+    const std::string text = join_sources(sources);
+    const std::string flags = std::string(build_flags) + std::string(options);
+    const bool cached = !device.cache_dir().empty();
+    const std::filesystem::path path = cached ? binary_path(device, text, flags) : std::filesystem::path();
+    if (cached) {
+        if (auto loaded = load_binary(device, path, flags)) {
+            program_ = *loaded;
+            came_from_cache_ = true;
+            return;
+        }
+    }
+    try {
+        program_ = cl::Program(device.context(), text);
+        program_.build({device.handle()}, flags.c_str());
+    } catch (const cl::BuildError& error) {
+        const std::string log = error.getBuildLog().empty() ? "" : error.getBuildLog().front().second;
+        throw Error(ExitStatus::unavailable,
+                    "kernel does not build on " + device.name() + ": " + first_error(log));
+    } catch (const cl::Error& error) {
+        throw DeviceError("building " + file_, error.err(), device.name());
+    }
+    if (cached) save_binary(program_, path);
+}
+
+Kernel Program::kernel(const std::string& name) const {
+    try {
+        return {*device_, cl::Kernel(program_, name.c_str()), file_ + ":" + name};
+    } catch (const cl::Error& error) {
+        throw DeviceError("kernel " + file_ + ":" + name, error.err(), device_->name());
+    }
+}
+
+}  // namespace touchstone
