@@ -9,7 +9,8 @@ namespace touchstone {
 
 enum class ReportedPhase { down, move, up };
 
-/// A finger as it leaves the process. camera_mm is the point on the surface; surface is 0..1 over the interactive area.
+/// A finger as it leaves the process. camera_mm is the point on the surface; surface is 0..1 over the
+/// interactive area.
 struct ReportedFinger {
     int id = 0;
     ReportedPhase phase = ReportedPhase::down;  ///< of a touch; without meaning for a hover
@@ -32,6 +33,11 @@ class TouchSink {
   public:
     virtual ~TouchSink() = default;
     virtual void publish(const TouchReport& report) = 0;
+    /// All touches end and no frame is coming: the sensor is lost.
+    virtual void release_all() {}
+    /// Called some ten times a second while no frame is coming, for sinks whose listeners expect a sign of
+    /// life.
+    virtual void idle() {}
 };
 
 }  // namespace touchstone

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "platform/output/touch_sink.hpp"
+
+namespace touchstone {
+
+/// One cursor of /tuio/2Dcur: place in 0..1 of the area, velocity in widths (heights) a second, acceleration
+/// of the speed in the same a second squared.
+struct TuioCursor {
+    std::int32_t session = 0;
+    float x = 0.f, y = 0.f;
+    float velocity_x = 0.f, velocity_y = 0.f;
+    float acceleration = 0.f;
+};
+
+/// One state of the table as a client takes it. fseq -1 marks a repetition of what was said before.
+struct TuioBundle {
+    std::vector<std::int32_t> alive;
+    std::vector<TuioCursor> cursors;
+    std::int32_t fseq = -1;
+};
+
+/// Where the two counters of a process start, both in 1..2^31-1.
+struct TuioStart {
+    std::int32_t fseq = 1;
+    std::int32_t session = 1;
+};
+
+/// Counters that follow the clock so fast that no process can overtake them: a restarted one starts above.
+TuioStart tuio_start(std::chrono::system_clock::time_point now);
+
+/// Turns reports into the bundles that tell a TUIO 1.1 client of them. Datagrams may be lost, the client may
+/// start at any time, and this process may have been killed and started anew; so
+/// - every frame with touches carries all of them, and a touch is sent in two bundles at least before it
+/// ends;
+/// - an emptied table is said twice at once, again in the next frames, and like every state at least every
+/// second;
+/// - a touch that begins and ends in one report has its end in a bundle of its own;
+/// - a session id is of one contact: a finger that touches again gets a new one.
+class TuioSession {
+  public:
+    using Clock = std::chrono::steady_clock;
+    using Bundles = std::vector<TuioBundle>;
+
+    explicit TuioSession(TuioStart start) : next_fseq_(start.fseq), next_session_(start.session) {}
+
+    /// Ends what an earlier process left, and makes every client take the frames that follow.
+    Bundles start(Clock::time_point now);
+    Bundles frame(const TouchReport& report, Clock::time_point now);
+    /// Ends all touches. Also the last words of the process.
+    Bundles release_all(Clock::time_point now);
+    /// The present state again, where nothing was said for long.
+    Bundles refresh(Clock::time_point now);
+
+  private:
+    struct Contact {
+        int id = 0;  ///< of the report
+        TuioCursor cursor;
+        std::uint64_t time_us = 0;
+        double speed = 0.0;
+        int bundles = 0;  ///< in which it was sent
+        bool over = false;
+        bool seen = false;  ///< in the report at hand
+    };
+    enum class Kind { frame, repetition };
+
+    void take_touches(const TouchReport& report);
+    void begin(const ReportedFinger& touch, std::uint64_t time_us);
+    static void move(Contact& contact, const ReportedFinger& touch, std::uint64_t time_us);
+    void say(Bundles& out, Kind kind, Clock::time_point now);
+    void say_young_contacts_that_end(Bundles& out, Clock::time_point now);
+
+    std::int32_t next_fseq_;
+    std::int32_t next_session_;
+    std::vector<Contact> contacts_;
+    int empty_frames_to_say_ = 0;
+    Clock::time_point last_said_{};
+};
+
+}  // namespace touchstone
