@@ -12,18 +12,22 @@
 
 namespace touchstone {
 
-/// What the perception loop hands to the presentation loop through the mailbox: the latest result only. Touch events
-/// are the exception: the mailbox keeps those of frames that were never drawn, so that no stroke is torn.
+/// What the perception loop hands to the presentation loop through the mailbox: the latest result only. Touch
+/// events are the exception: the mailbox keeps those of frames that were never drawn, so that no stroke is
+/// torn.
 struct TableFrame {
     int index = 0;
     std::uint64_t timestamp_us = 0;
-    std::string state;                         ///< starting, scanning, live, sensor_lost: the words of the event log
-    float scan_progress = 0.f;                 ///< 0..1 while scanning
-    float frame_rate_hz = 0.f;                 ///< of the perception loop
-    float frame_ms = 0.f;                      ///< time the pipeline took, median of late
-    std::string note;                          ///< one line for the operator, empty when all is well
-    std::shared_ptr<const ShadedView> view;    ///< may be null before the first frame
-    std::array<Eigen::Vector2f, 4> area_px{};  ///< corners of the interactive area in the view, in order around it
+    std::string state;           ///< starting, scanning, live, sensor_lost: the words of the event log
+    float scan_progress = 0.f;   ///< 0..1 while scanning
+    int scan_frames_done = 0;    ///< while scanning
+    int scan_frames_wanted = 0;  ///< 0 when not known: then only scan_progress is shown
+    float frame_rate_hz = 0.f;   ///< of the perception loop
+    float frame_ms = 0.f;        ///< time the pipeline took, median of late
+    std::string note;            ///< one line for the operator, empty when all is well
+    std::shared_ptr<const ShadedView> view;  ///< may be null before the first frame
+    std::array<Eigen::Vector2f, 4>
+        area_px{};  ///< corners of the interactive area in the view, in order around it
     bool has_area = false;
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;

@@ -1,0 +1,78 @@
+#include "ui/canvas_renderer.hpp"
+
+#include <cstdint>
+#include <imgui.h>
+#include <span>
+
+#include "ui/shader.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+void describe_vertices(std::size_t first_vertex) {
+    constexpr GLsizei stride = sizeof(ImDrawVert);
+    const std::size_t base = first_vertex * sizeof(ImDrawVert);
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, offset(base + offsetof(ImDrawVert, pos)));
+    glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, offset(base + offsetof(ImDrawVert, uv)));
+    glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(base + offsetof(ImDrawVert, col)));
+}
+
+void clip_to(const ImVec4& clip, float height_px) {
+    glScissor(static_cast<GLint>(clip.x), static_cast<GLint>(height_px - clip.w),
+              static_cast<GLsizei>(clip.z - clip.x), static_cast<GLsizei>(clip.w - clip.y));
+}
+
+}  // namespace
+
+CanvasRenderer::CanvasRenderer()
+    : program_(make_program("canvas")), size_px_uniform_(program_.uniform("u_size_px")) {
+    glBindVertexArray(vertex_array_.id());
+    for (const GLuint attribute : {0U, 1U, 2U}) glEnableVertexAttribArray(attribute);
+    glBindVertexArray(0);
+}
+
+void CanvasRenderer::upload_letters(Canvas& canvas) {
+    if (canvas.fonts_version() == letters_version_) return;
+    unsigned char* texels = nullptr;
+    PixelSize size;
+    canvas.fonts().atlas().GetTexDataAsAlpha8(&texels, &size.width_px, &size.height_px);
+    letters_.emplace(size, TexelFormat::r8);
+    letters_->upload(
+        {texels, static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px)});
+    letters_version_ = canvas.fonts_version();
+}
+
+void CanvasRenderer::draw(Canvas& canvas) {
+    upload_letters(canvas);
+    letters_->bind(0);
+    program_.use();
+    glUniform2f(size_px_uniform_, canvas.size_px().x(), canvas.size_px().y());
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glEnable(GL_SCISSOR_TEST);
+
+    const ImDrawList& list = canvas.list();
+    glBindVertexArray(vertex_array_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+    glBufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data, GL_STREAM_DRAW);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data,
+                 GL_STREAM_DRAW);
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+        if (command.ElemCount == 0) continue;
+        clip_to(command.ClipRect, canvas.size_px().y());
+        describe_vertices(command.VtxOffset);
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
+                       offset(command.IdxOffset * sizeof(ImDrawIdx)));
+    }
+    glBindVertexArray(0);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+}
+
+}  // namespace touchstone

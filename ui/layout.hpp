@@ -1,0 +1,19 @@
+#pragma once
+
+#include "platform/display/picture.hpp"
+#include "ui/view_mapping.hpp"
+
+namespace touchstone {
+
+/// Where the view and the words about it go.
+struct Layout {
+    float scale = 1.f;  ///< display pixels to one pixel of style.hpp
+    ViewMapping view;
+    DisplayRect panel;
+    bool panel_beside = false;  ///< a column left of the view, else a bar under it
+};
+
+/// A column beside the view where the display is wide enough for it, a bar below otherwise.
+Layout make_layout(PixelSize display, PixelSize view);
+
+}  // namespace touchstone

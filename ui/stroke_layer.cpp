@@ -1,0 +1,66 @@
+#include "ui/stroke_layer.hpp"
+
+#include "ui/shader.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr int layer_px_per_view_px = 2;
+
+float to_layer(float view_px) { return (view_px + 0.5f) * layer_px_per_view_px; }
+
+}  // namespace
+
+StrokeLayer::StrokeLayer(PixelSize view)
+    : program_(make_program("stroke")),
+      picture_({view.width_px * layer_px_per_view_px, view.height_px * layer_px_per_view_px}) {
+    const auto width = static_cast<float>(picture_.size_px().width_px);
+    program_.use();
+    glUniform2f(program_.uniform("u_layer_size_px"), width, static_cast<float>(picture_.size_px().height_px));
+    glUniform1f(program_.uniform("u_radius_px"), 0.5f * style::stroke_width_of_view * width);
+
+    glBindVertexArray(vertex_array_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, instance_buffer_.id());
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), nullptr);
+    glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Instance),
+                          reinterpret_cast<const void*>(offsetof(Instance, color)));
+    for (const GLuint attribute : {0U, 1U}) {
+        glEnableVertexAttribArray(attribute);
+        glVertexAttribDivisor(attribute, 1);
+    }
+    glBindVertexArray(0);
+    clear();
+}
+
+void StrokeLayer::clear() {
+    waiting_.clear();
+    picture_.bind();
+    glClearColor(0.f, 0.f, 0.f, 0.f);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void StrokeLayer::add(std::span<const StrokePiece> pieces, style::Color color) {
+    for (const StrokePiece& piece : pieces)
+        waiting_.push_back({{to_layer(piece.a_px.x()), to_layer(piece.a_px.y()), to_layer(piece.b_px.x()),
+                             to_layer(piece.b_px.y())},
+                            color.packed()});
+}
+
+void StrokeLayer::flush() {
+    if (waiting_.empty()) return;
+    picture_.bind();
+    program_.use();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glBindVertexArray(vertex_array_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, instance_buffer_.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(waiting_.size() * sizeof(Instance)),
+                 waiting_.data(), GL_STREAM_DRAW);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(waiting_.size()));
+    glBindVertexArray(0);
+    glDisable(GL_BLEND);
+    waiting_.clear();
+}
+
+}  // namespace touchstone

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "platform/display/gl_framebuffer.hpp"
+#include "platform/display/gl_program.hpp"
+#include "ui/stroke_path.hpp"
+#include "ui/style.hpp"
+
+namespace touchstone {
+
+/// Paint that stays: pieces of strokes are drawn once into a picture that covers the view, so that a frame
+/// costs the same however much has been painted. Row 0 is the top; premultiplied alpha.
+class StrokeLayer {
+  public:
+    /// For a view of that size. The layer has twice its resolution, so that edges stay crisp on the display.
+    explicit StrokeLayer(PixelSize view);
+
+    void clear();
+    /// Places in view pixels (centres at whole numbers).
+    void add(std::span<const StrokePiece> pieces, style::Color color);
+    /// Draws what was added since the last call.
+    void flush();
+    const GlTexture& picture() const { return picture_.color(); }
+
+  private:
+    struct Instance {
+        std::array<float, 4> ends_px;
+        std::uint32_t color;
+    };
+
+    GlProgram program_;
+    GlFramebuffer picture_;
+    GlVertexArrayHandle vertex_array_{new_gl_vertex_array()};
+    GlBufferHandle instance_buffer_{new_gl_buffer()};
+    std::vector<Instance> waiting_;
+};
+
+}  // namespace touchstone

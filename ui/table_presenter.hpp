@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "platform/display/display.hpp"
+#include "ui/table_frame.hpp"
+
+namespace touchstone {
+
+/// Draws the table on a display: the shaded view, a scene, fingers, and the words about it. Lives on the
+/// display's thread and dies before the display.
+class TablePresenter {
+  public:
+    /// Throws Error{usage} for an unknown scene, Error{unavailable} when fonts or shaders fail.
+    TablePresenter(Display& display, const std::string& scene_name);
+    ~TablePresenter();
+
+    /// Takes the frame in, unless it was the last one presented, draws, and shows it. Afterwards the
+    /// display's read_pixels gives the picture. `dt_s` is the time since the last call.
+    void present(const TableFrame& frame, float dt_s);
+
+  private:
+    struct Parts;
+
+    void take_in(const TableFrame& frame);
+    void draw(const TableFrame& frame);
+
+    Display& display_;
+    std::unique_ptr<Parts> parts_;
+    int last_index_ = -1;
+    std::uint64_t last_timestamp_us_ = 0;
+    float clock_s_ = 0.f;
+};
+
+}  // namespace touchstone
