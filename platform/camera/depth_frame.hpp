@@ -7,10 +7,11 @@
 
 namespace touchstone {
 
-/// One frame of a depth camera. Camera frame: x right, y down, z forward; depth is z, not the length of the ray.
+/// One frame of a depth camera. Camera frame: x right, y down, z forward; depth is z, not the length of the
+/// ray.
 struct DepthFrame {
-    int index = 0;                        ///< the file's number for sequences, else counted by the source
-    std::uint64_t timestamp_us = 0;       ///< of the source's clock
+    int index = 0;                   ///< the file's number for sequences, else counted by the source
+    std::uint64_t timestamp_us = 0;  ///< of the source's clock
     int width_px = 0;
     int height_px = 0;
     Intrinsics intrinsics{};

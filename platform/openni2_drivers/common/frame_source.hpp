@@ -14,7 +14,8 @@ struct SourceFrame {
     int index = 0;                        ///< the file's number, or counted from 0
     std::uint64_t timestamp_us = 0;       ///< of the source's clock
     std::vector<std::uint16_t> depth_mm;  ///< width x height, row-major, 0 = invalid
-    std::vector<std::uint8_t> color_rgb;  ///< 3 bytes a pixel, row-major; empty when there is none for this frame
+    std::vector<std::uint8_t>
+        color_rgb;  ///< 3 bytes a pixel, row-major; empty when there is none for this frame
 };
 
 enum class Pace {
@@ -31,8 +32,8 @@ struct SourceInfo {
     Pace default_pace = Pace::live;
 };
 
-/// What a driver of ours replays or makes up. The OpenNI2 plumbing (device, streams, pace, end of stream) is one
-/// piece of code for all of them: source_driver.hpp.
+/// What a driver of ours replays or makes up. The OpenNI2 plumbing (device, streams, pace, end of stream) is
+/// one piece of code for all of them: source_driver.hpp.
 class FrameSource {
   public:
     virtual ~FrameSource() = default;

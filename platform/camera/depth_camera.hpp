@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "platform/camera/depth_frame.hpp"
+#include "platform/openni2_drivers/common/frame_source.hpp"
+
+namespace touchstone {
+
+struct ReadTimeout {};  ///< no frame in time; the camera is fine as far as known
+struct StreamEnd {};    ///< after the last frame of a recording, a sequence or a finite simulation
+struct CameraLost {     ///< unplugged or dead: close it and wait for a device
+    std::string reason;
+};
+using ReadResult = std::variant<DepthFrame, ReadTimeout, StreamEnd, CameraLost>;
+
+/// One depth camera, real or replayed, through OpenNI2. Not for use from two threads at once.
+class DepthCamera {
+  public:
+    /// Sensor URI: empty = the first attached device; PATH.oni; seq:DIR; sim:SCENE?...; else a URI of
+    /// OpenNI2's. Pace: by default live for devices and sim:, step for seq: and recordings. In step every
+    /// frame comes in order, as fast as it is read, none lost; a device itself knows only live. A recording
+    /// is played once. with_color is a wish: has_color() tells whether the camera has colour. Throws Error:
+    /// unavailable (no device, it cannot be opened), no_input, bad_data, usage.
+    static DepthCamera open(const std::string& uri = {}, std::optional<Pace> pace = std::nullopt,
+                            bool with_color = false);
+
+    DepthCamera(DepthCamera&&) noexcept;
+    DepthCamera& operator=(DepthCamera&&) noexcept;
+    ~DepthCamera();
+
+    /// The next frame: in live pace the latest one. Colour is the picture nearest in time, scaled to the
+    /// depth's size. Throws Error{bad_data or no_input} where the source's data are bad in mid-stream.
+    ReadResult read(int timeout_ms);
+
+    const Intrinsics& intrinsics() const;
+    /// Frames a second that the source promises.
+    double rate_hz() const;
+    Pace pace() const;
+    bool has_color() const;
+    /// A camera on USB, not a recording, a sequence or a simulation.
+    bool is_device() const;
+    /// For people: the URI and the device's name.
+    const std::string& name() const;
+
+    /// Writes everything that is read from now on to an .oni file, depth without loss. Throws
+    /// Error{io_error}. Ends, with all frames written, by stop_recording() or with the camera.
+    void start_recording(const std::string& path);
+    void stop_recording();
+
+  private:
+    struct Impl;
+    explicit DepthCamera(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace touchstone
