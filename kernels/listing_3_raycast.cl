@@ -49,17 +49,22 @@ inline Crossing8 walk8(__global const int* table, __global const int* pool, cons
     return crossing;
 }
 
-/* Narrows the crossing by regula falsi on trilinear samples. -1 in ok where the surface was found. */
+/* Narrows the crossing by regula falsi on trilinear samples, every third step by halving. The walk read nearest voxels, which change sign near, but not
+ * at the surface: the bracket is widened by a voxel on both sides. -1 in ok where the surface was found. */
 inline float8 refine8(__global const int* table, __global const int* pool, const VolumeParams volume,
-                      const Points8 origin, const Points8 direction, Crossing8 c, Points8* gradient, int8* ok) {
+                      const Points8 origin, const Points8 direction, const float8 voxel_step, Crossing8 c,
+                      Points8* gradient, int8* ok) {
+    c.before -= voxel_step;
+    c.after += voxel_step;
     const Sample8 s0 = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, c.before));
     const Sample8 s1 = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, c.after));
     float8 f0 = select((float8)(0.5f), s0.tsdf, s0.known & (s0.tsdf > 0.0f));
     float8 f1 = select((float8)(-0.5f), s1.tsdf, s1.known & (s1.tsdf < 0.0f));
     float8 t = c.after;
     *ok = (int8)(0);
-    for (int i = 0; i < 3; ++i) {
-        t = c.before + (c.after - c.before) * (f0 / (f0 - f1));
+    for (int i = 0; i < 8 && !all(*ok | ~c.found); ++i) {
+        const float8 share = i % 3 == 2 ? (float8)(0.5f) : f0 / (f0 - f1);
+        t = select(c.before + (c.after - c.before) * share, t, *ok);
         const Sample8 s = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, t));
         const int8 positive = s.known & (s.tsdf > 0.0f), negative = s.known & (s.tsdf <= 0.0f);
         c.before = select(c.before, t, positive);
@@ -67,7 +72,7 @@ inline float8 refine8(__global const int* table, __global const int* pool, const
         c.after = select(c.after, t, negative);
         f1 = select(f1, fmin(s.tsdf, -1e-6f), negative);
         *gradient = s.gradient;
-        *ok = s.known;
+        *ok = s.known & (fabs(s.tsdf) * volume.max_truncation_m < 0.1f * volume.voxel_m);
     }
     return t;
 }
@@ -93,7 +98,7 @@ __kernel void raycast(__global const int* tiles, __global const int* tile_near, 
         const Crossing8 crossing = walk8(table, pool, volume, origin, direction, voxel_step, start, end);
         Points8 gradient = n;
         int8 ok;
-        const float8 t = refine8(table, pool, volume, origin, direction, crossing, &gradient, &ok);
+        const float8 t = refine8(table, pool, volume, origin, direction, voxel_step, crossing, &gradient, &ok);
         // R^T turns the gradient into the camera frame.
         n.x = T_g_c.row_x.x * gradient.x + T_g_c.row_y.x * gradient.y + T_g_c.row_z.x * gradient.z;
         n.y = T_g_c.row_x.y * gradient.x + T_g_c.row_y.y * gradient.y + T_g_c.row_z.y * gradient.z;

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/shared_types.h"
+
+/// Listing 2 in plain C++ over a dense volume, line for line; deviations as in PAPER.md.
+namespace touchstone::reference {
+
+struct Voxel {
+    float tsdf = 0.0f;  ///< in units of max_truncation
+    int weight = 0;     ///< 0 = unknown
+};
+
+struct DenseVolume {
+    explicit DenseVolume(const VolumeParams& volume)
+        : params(volume),
+          voxels(static_cast<std::size_t>(volume.size_vox) * static_cast<std::size_t>(volume.size_vox) *
+                 static_cast<std::size_t>(volume.size_vox)) {}
+
+    Voxel& at(int x, int y, int z) {
+        return voxels[static_cast<std::size_t>((z * params.size_vox + y) * params.size_vox + x)];
+    }
+
+    VolumeParams params;
+    std::vector<Voxel> voxels;
+};
+
+/// depth_m, mask: row-major, width_px x height_px; mask != 0 is left out.
+inline void integrate(DenseVolume& volume, const std::vector<float>& depth_m,
+                      const std::vector<std::uint8_t>& mask, const Intrinsics& k,
+                      const Eigen::Isometry3f& T_g_c) {
+    const VolumeParams& params = volume.params;
+    const Eigen::Isometry3f T_c_g = T_g_c.inverse();
+    for (int z = 0; z < params.size_vox; ++z) {  // lines 1, 2
+        for (int y = 0; y < params.size_vox; ++y) {
+            for (int x = 0; x < params.size_vox; ++x) {
+                const Eigen::Vector3f cell(static_cast<float>(x), static_cast<float>(y),
+                                           static_cast<float>(z));
+                const Eigen::Vector3f v_g =
+                    (cell + Eigen::Vector3f::Constant(0.5f)) * params.voxel_m;  // line 3
+                const Eigen::Vector3f v = T_c_g * v_g;                          // line 4
+                if (v.z() <= 0.05f) continue;
+                const int px =
+                    static_cast<int>(std::floor(v.x() / v.z() * k.fx_px + k.cx_px + 0.5f));  // line 5
+                const int py = static_cast<int>(std::floor(v.y() / v.z() * k.fy_px + k.cy_px + 0.5f));
+                if (px < 0 || py < 0 || px >= k.width_px || py >= k.height_px) continue;  // line 6
+                const auto pixel = static_cast<std::size_t>(py * k.width_px + px);
+                if (depth_m[pixel] <= 0.0f || mask[pixel] != 0) continue;
+                const float sdf_m = v.norm() / v.z() * (depth_m[pixel] - v.z());  // line 7
+                if (sdf_m <= -params.min_truncation_m) continue;
+                const float tsdf = std::min(1.0f, sdf_m / params.max_truncation_m);  // lines 8-11
+                Voxel& voxel = volume.at(x, y, z);
+                const auto w = static_cast<float>(voxel.weight);
+                voxel.tsdf = (voxel.tsdf * w + tsdf) / (w + 1.0f);             // line 13
+                voxel.weight = std::min(params.max_weight, voxel.weight + 1);  // lines 12, 14
+            }
+        }
+    }
+}
+
+}  // namespace touchstone::reference
