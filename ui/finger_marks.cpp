@@ -46,6 +46,12 @@ void FingerMarks::clear() {
     hovering_.clear();
 }
 
+std::vector<int> FingerMarks::touching_ids() const {
+    std::vector<int> ids;
+    for (const auto& [id, tip] : touching_) ids.push_back(id);
+    return ids;
+}
+
 void FingerMarks::draw(Canvas& canvas, const ViewMapping& view) const {
     for (const HoverEvent& hover : hovering_)
         draw_hover(canvas, view.to_display(hover.tip.pixel_px), hover.tip);

@@ -19,6 +19,7 @@ class FingerMarks {
     void clear();
 
     const std::map<int, Fingertip>& touching() const { return touching_; }
+    std::vector<int> touching_ids() const;
     void draw(Canvas& canvas, const ViewMapping& view) const;
 
   private:

@@ -1,5 +1,7 @@
 #include "ui/layout.hpp"
 
+#include <cmath>
+
 #include "ui/style.hpp"
 
 namespace touchstone {
@@ -7,13 +9,16 @@ namespace touchstone {
 namespace {
 
 constexpr float least_scale = 0.5f;
+constexpr float scale_steps =
+    16.f;  // per 1: letters are drawn anew for each scale, dragging a window makes many
 
 }  // namespace
 
 Layout make_layout(PixelSize display, PixelSize view) {
     const Eigen::Vector2f size(static_cast<float>(display.width_px), static_cast<float>(display.height_px));
     Layout layout;
-    layout.scale = std::max(least_scale, std::min(size.y() / 720.f, size.x() / 960.f));
+    const float exact_scale = std::min(size.y() / 720.f, size.x() / 960.f);
+    layout.scale = std::max(least_scale, std::floor(exact_scale * scale_steps) / scale_steps);
     const Eigen::Vector2f margin = Eigen::Vector2f::Constant(style::margin_px * layout.scale);
     const float full_width = (size.y() - 2.f * margin.y()) * static_cast<float>(view.width_px) /
                              static_cast<float>(view.height_px);

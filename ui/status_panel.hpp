@@ -1,33 +1,39 @@
 #pragma once
 
-#include <map>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "pipeline/touch_event.hpp"
 #include "ui/canvas.hpp"
 #include "ui/layout.hpp"
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
 
-/// How a state of the event log is called on the display.
+/// How a state of the event log is called on the display. An unknown state is shown by its own name.
 struct StateLook {
-    std::string_view word;
+    std::string word;
     style::Color color;
 };
-
-/// An unknown state is shown by its own name.
 StateLook state_look(std::string_view state);
 
-/// Everything the panel says, but for what the frame holds.
-struct PanelWords {
-    std::string_view invitation;
-    const std::map<int, Fingertip>& touching;
+struct Figure {
+    std::string value;
+    std::string unit;
 };
 
-/// Product name, state, frame rate, time of a frame, touches, note: a column beside the view or a bar under
-/// it.
-void draw_status_panel(Canvas& canvas, const Layout& layout, const TableFrame& frame,
-                       const PanelWords& words);
+/// What the panel says.
+struct StatusWords {
+    StateLook state;
+    std::string invitation;       ///< only while live
+    std::vector<Figure> figures;  ///< those that mean something in this state
+    std::vector<int> touching;    ///< ids of the fingers in contact
+    std::string note;             ///< empty while the card over the view says it
+};
+StatusWords status_words(const TableFrame& frame, std::string_view invitation,
+                         const std::vector<int>& touching);
+
+/// Product name and status: a column beside the view or a bar under it, as the layout has it.
+void draw_status_panel(Canvas& canvas, const Layout& layout, const StatusWords& words);
 
 }  // namespace touchstone

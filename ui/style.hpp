@@ -48,11 +48,11 @@ constexpr Color finger_color(int id) {
     return palette[static_cast<std::size_t>(static_cast<unsigned>(id)) % palette.size()];
 }
 
-inline constexpr float caption_px = 16.f;
-inline constexpr float body_px = 19.f;
-inline constexpr float heading_px = 26.f;
-inline constexpr float title_px = 27.f;
-inline constexpr float figure_px = 46.f;
+inline constexpr float caption_px = 18.f;
+inline constexpr float body_px = 21.f;
+inline constexpr float heading_px = 29.f;
+inline constexpr float title_px = 29.f;
+inline constexpr float figure_px = 52.f;
 
 inline constexpr float margin_px = 28.f;
 inline constexpr float panel_min_px = 250.f;
@@ -64,6 +64,6 @@ inline constexpr float hover_radius_px = 13.f;
 inline constexpr float ring_px = 3.f;
 
 /// Of the view's width: about a fingertip at a metre.
-inline constexpr float stroke_width_of_view = 0.0115f;
+inline constexpr float stroke_width_of_view = 0.0135f;
 
 }  // namespace touchstone::style

@@ -71,7 +71,14 @@ void TablePresenter::take_in(const TableFrame& frame) {
     }
     p.scene->on_hovers(frame.hovers);
     p.fingers.on_hovers(frame.hovers);
-    if (is_waiting_state(frame)) p.fingers.clear();
+    if (is_waiting_state(frame)) lift_all_fingers();
+}
+
+/// While nobody can touch, no `up` may come for a finger that was down.
+void TablePresenter::lift_all_fingers() {
+    for (const auto& [id, tip] : parts_->fingers.touching()) parts_->scene->on_touch({tip, TouchPhase::up});
+    parts_->scene->on_hovers({});
+    parts_->fingers.clear();
 }
 
 void TablePresenter::draw(const TableFrame& frame) {
@@ -98,7 +105,7 @@ void TablePresenter::draw(const TableFrame& frame) {
         p.scene->draw(canvas, layout.view);
         p.fingers.draw(canvas, layout.view);
     }
-    draw_status_panel(canvas, layout, frame, {p.scene->invitation(), p.fingers.touching()});
+    draw_status_panel(canvas, layout, status_words(frame, p.scene->invitation(), p.fingers.touching_ids()));
     p.canvas_renderer.draw(canvas);
 }
 

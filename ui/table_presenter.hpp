@@ -25,6 +25,7 @@ class TablePresenter {
     struct Parts;
 
     void take_in(const TableFrame& frame);
+    void lift_all_fingers();
     void draw(const TableFrame& frame);
 
     Display& display_;

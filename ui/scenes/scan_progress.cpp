@@ -3,25 +3,56 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace touchstone {
 
 namespace {
 
-struct CardWords {
-    std::string title;
-    std::string line;
+constexpr float ring_radius_px = 36.f;
+constexpr float padding_px = 24.f;
+constexpr float line_gap_px = 6.f;
+constexpr float least_wrap_px = 160.f;
+constexpr float above_edge_px = 40.f;
+
+struct CardLine {
+    TextStyle style;
+    style::Color color;
+    std::string words;
 };
 
-CardWords words_for(const TableFrame& frame) {
-    if (frame.state == "scanning")
-        return {"Scanning the surroundings",
-                frame.note.empty() ? "Keep the table clear for a moment" : frame.note};
-    if (frame.state == "sensor_lost")
-        return {"Camera disconnected", frame.note.empty() ? "Waiting for it to come back" : frame.note};
-    if (frame.state == "realigning")
-        return {"The camera was moved", frame.note.empty() ? "Finding its new place" : frame.note};
-    return {"Starting", frame.note.empty() ? "Waiting for the depth camera" : frame.note};
+struct CardWords {
+    const char* title;
+    const char* line;
+};
+
+CardWords words_for(const std::string& state) {
+    if (state == "scanning") return {"Scanning the surroundings", "Keep the table clear for a moment"};
+    if (state == "sensor_lost") return {"Camera disconnected", "Waiting for it to come back"};
+    if (state == "realigning") return {"The camera was moved", "Finding its new place"};
+    return {"Starting", "Waiting for the depth camera"};
+}
+
+/// The frame's note is better informed than our second line and takes its place.
+std::vector<CardLine> card_lines(const TableFrame& frame) {
+    const CardWords words = words_for(frame.state);
+    std::vector<CardLine> lines{
+        {TextStyle::heading, style::text, words.title},
+        {TextStyle::body, style::text_muted, frame.note.empty() ? words.line : frame.note}};
+    if (frame.state == "scanning" && frame.scan_frames_wanted > 0)
+        lines.push_back({TextStyle::caption, style::text_muted.faded(0.8f),
+                         "Frame " + std::to_string(frame.scan_frames_done) + " of " +
+                             std::to_string(frame.scan_frames_wanted)});
+    return lines;
+}
+
+Eigen::Vector2f size_of(const Canvas& canvas, const std::vector<CardLine>& lines, float wrap_px) {
+    Eigen::Vector2f size(0.f, line_gap_px * canvas.scale() * static_cast<float>(lines.size() - 1));
+    for (const CardLine& line : lines) {
+        const Eigen::Vector2f each = canvas.text_size_px(line.style, line.words, wrap_px);
+        size = {std::max(size.x(), each.x()), size.y() + each.y()};
+    }
+    return size;
 }
 
 std::string percent(float part) { return std::to_string(static_cast<int>(std::floor(100.f * part))) + "%"; }
@@ -41,43 +72,31 @@ void draw_ring(Canvas& canvas, Eigen::Vector2f center, float radius, const Table
     }
 }
 
-std::string frame_count(const TableFrame& frame) {
-    if (frame.state != "scanning" || frame.scan_frames_wanted <= 0) return "";
-    return "Frame " + std::to_string(frame.scan_frames_done) + " of " +
-           std::to_string(frame.scan_frames_wanted);
-}
-
 }  // namespace
 
 bool is_waiting_state(const TableFrame& frame) { return frame.state != "live"; }
 
 void draw_scan_progress(Canvas& canvas, const DisplayRect& view, const TableFrame& frame, float clock_s) {
     const float s = canvas.scale();
-    const CardWords words = words_for(frame);
-    const std::string count = frame_count(frame);
-    const float ring_radius = 36.f * s;
-    const float padding = 24.f * s;
-    const float wrap = std::max(160.f * s, view.size_px().x() - 4.f * padding - 2.f * ring_radius - 48.f * s);
-    const Eigen::Vector2f title = canvas.text_size_px(TextStyle::heading, words.title, wrap);
-    const Eigen::Vector2f line = canvas.text_size_px(TextStyle::body, words.line, wrap);
-    const float count_height = count.empty() ? 0.f : 24.f * s;
-    const float text_height = title.y() + 8.f * s + line.y() + count_height;
+    const float radius = ring_radius_px * s;
+    const float padding = padding_px * s;
+    const std::vector<CardLine> lines = card_lines(frame);
+    const float wrap = std::max(least_wrap_px * s, view.size_px().x() - 5.f * padding - 2.f * radius);
+    const Eigen::Vector2f words = size_of(canvas, lines, wrap);
+    const Eigen::Vector2f half(radius + 1.5f * padding + 0.5f * words.x(),
+                               padding + std::max(radius, 0.5f * words.y()));
+    Eigen::Vector2f center = view.center_px();
+    if (frame.view) center.y() = view.max_px.y() - above_edge_px * s - half.y();
 
-    const Eigen::Vector2f size(2.f * ring_radius + 3.f * padding + std::max(title.x(), line.x()),
-                               std::max(2.f * ring_radius, text_height) + 2.f * padding);
-    const Eigen::Vector2f center(view.center_px().x(), view.max_px.y() - 40.f * s - 0.5f * size.y());
-    const Eigen::Vector2f min = center - 0.5f * size;
-    canvas.box(min - Eigen::Vector2f(1.f, 1.f), min + size + Eigen::Vector2f(1.f, 1.f), style::corner_px * s,
-               style::rule);
-    canvas.box(min, min + size, style::corner_px * s, style::card);
-    draw_ring(canvas, {min.x() + padding + ring_radius, center.y()}, ring_radius, frame, clock_s);
-
-    Eigen::Vector2f at(min.x() + 2.f * padding + 2.f * ring_radius, center.y() - 0.5f * text_height);
-    canvas.text(TextStyle::heading, at, style::text, words.title, wrap);
-    at.y() += title.y() + 8.f * s;
-    canvas.text(TextStyle::body, at, style::text_muted, words.line, wrap);
-    at.y() += line.y() + 6.f * s;
-    if (!count.empty()) canvas.text(TextStyle::caption, at, style::text_muted.faded(0.8f), count);
+    const Eigen::Vector2f border = Eigen::Vector2f::Constant(s);
+    canvas.box(center - half - border, center + half + border, style::corner_px * s, style::rule);
+    canvas.box(center - half, center + half, style::corner_px * s, style::card);
+    draw_ring(canvas, {center.x() - half.x() + padding + radius, center.y()}, radius, frame, clock_s);
+    Eigen::Vector2f at(center.x() - half.x() + 2.f * (padding + radius), center.y() - 0.5f * words.y());
+    for (const CardLine& line : lines) {
+        canvas.text(line.style, at, line.color, line.words, wrap);
+        at.y() += canvas.text_size_px(line.style, line.words, wrap).y() + line_gap_px * s;
+    }
 }
 
 }  // namespace touchstone

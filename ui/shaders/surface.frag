@@ -15,7 +15,7 @@ out vec4 color;
 
 // Paint is as bright as the surface under it, so that shape shows through, but never dull: white keeps its colour.
 float shade_of_paint(vec3 surface) {
-    return min(1.0, 0.40 + 0.75 * dot(surface, vec3(0.299, 0.587, 0.114)));
+    return min(1.0, 0.48 + 0.70 * dot(surface, vec3(0.299, 0.587, 0.114)));
 }
 
 void main() {
