@@ -60,6 +60,15 @@ enum BrickClass { BRICK_HIDDEN = 0, BRICK_NEAR_SURFACE = 1, BRICK_FREE_SPACE = 2
  * bits 24-31 average of the TSDF's change (for the adaptive weight of moving surfaces). */
 #define TSDF_SCALE 32766.0f
 
+/* Listing 4: the foreground overlaps the background where its signed distance to it, in metres, is more than
+ * -threshold_sigmas sigma_z and less than finger_thickness_m + threshold_sigmas sigma_z. */
+#define UNKNOWN_HEIGHT_M 100.0f
+typedef struct TouchMapParams {
+    SensorNoise noise;
+    float finger_thickness_m, threshold_sigmas;
+    int reserved[2];
+} TouchMapParams;
+
 #ifndef __OPENCL_VERSION__
 } /* namespace touchstone */
 #endif

@@ -1,0 +1,1 @@
+touchstone_test(touch_kernel_tests SOURCES listing_4_touch_map_test.cpp LIBRARIES touchstone_pipeline)
