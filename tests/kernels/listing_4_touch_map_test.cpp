@@ -56,14 +56,14 @@ class Listing4 : public testing::Test {
     }
 
     Device device{DeviceConfig{}};
-    Intrinsics k = test::small_camera();
+    Intrinsics k = test::small_camera(192, 160);
     MapShape shape = make_map_shape(k);
     Vector3f plane_n = Vector3f(0.2f, 0.5f, 1.0f).normalized();
     Vector3f ball_m{-0.12f, 0.05f, 0.86f};
     float ball_radius_m = 0.12f;
     test::DepthOfRay scene = test::both(test::plane(plane_n, 0.8f), test::sphere(ball_m, ball_radius_m));
     std::vector<float> live_m =
-        test::render_depth_m(k, test::both(scene, test::both(test::sphere({0.1f, 0.02f, 0.83f}, 0.05f),
+        test::render_depth_m(k, test::both(scene, test::both(test::sphere({0.1f, 0.02f, 0.87f}, 0.03f),
                                                              test::sphere({-0.1f, 0.05f, 0.74f}, 0.03f))));
     std::vector<std::uint8_t> mask = std::vector<std::uint8_t>(live_m.size());
     reference::OrientedPicture background;
@@ -107,7 +107,7 @@ TEST_F(Listing4, HeightIsTheDistanceToTheSurfaceNotAlongTheRay) {
 
 TEST_F(Listing4, OnlyTheBoxesAreWorkedOnAndTheRestHasNoTouch) {
     const TouchMap everywhere = map_on_device({{0, 0, k.width_px, k.height_px}});
-    const PixelBox box{45, 20, 71, 60};
+    const PixelBox box{101, 60, 141, 110};
     const TouchMap boxed = map_on_device({box});
     const std::vector<std::uint8_t> all = everywhere.touch.read(), some = boxed.touch.read();
     int inside = 0;
