@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "platform/openni2_drivers/simulator/motion.hpp"
+
+namespace touchstone::sim {
+
+enum class Gesture { tap, hold, drag, pinch, sweep, feint };
+
+/// Finds movements that a hand can make without running into anything and whose contacts the camera sees.
+class GesturePlanner {
+  public:
+    GesturePlanner(const Workplace& place, const HandShape& shape, bool human_timing)
+        : place_(place), shape_(shape), human_timing_(human_timing) {}
+
+    /// The motions of one gesture from where the hand is now, in order of time; empty when nothing was found
+    /// in a few dozen tries.
+    std::vector<Motion> plan(Gesture gesture, const HandPosture& now, double start_s, const Vec3& shoulder_s,
+                             Random& random) const;
+    /// The way to a posture; empty when something is in the way.
+    std::vector<Motion> glide(const HandPosture& from, const HandPosture& to, double start_s,
+                              const Vec3& shoulder_s) const;
+
+  private:
+    std::optional<HandPosture> aim(Gesture gesture, float gap_m, const Vec3& shoulder_s,
+                                   Random& random) const;
+    bool aim_thumb(HandPosture& posture, float gap_m, const Vec3& shoulder_s, Random& random) const;
+    std::optional<HandPosture> move_on(Gesture gesture, const HandPosture& from, float gap_m,
+                                       Random& random) const;
+    bool can_rest(const HandPosture& posture, const Vec3& shoulder_s, bool thumb_touches) const;
+    bool is_possible(const Motion& motion, const Vec3& shoulder_s) const;
+    std::vector<Motion> contact(Gesture gesture, const HandPosture& at, const HandPosture& over,
+                                double start_s, Random& random) const;
+    double contact_s(Random& random) const;
+
+    Workplace place_;
+    HandShape shape_;
+    bool human_timing_;
+};
+
+}  // namespace touchstone::sim

@@ -1,0 +1,130 @@
+#include "platform/openni2_drivers/simulator/simulator_config.hpp"
+
+#include <array>
+#include <charconv>
+#include <fmt/core.h>
+#include <optional>
+#include <utility>
+
+#include "platform/system/error.hpp"
+
+namespace touchstone {
+namespace {
+
+constexpr std::string_view key_names =
+    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate";
+
+[[noreturn]] void refuse(const std::string& message) {
+    throw Error(ExitStatus::usage, "sensor URI sim: " + message);
+}
+
+SimulatedScene parse_scene(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, SimulatedScene>, 6> scenes{{
+        {"", SimulatedScene::mixed},
+        {"flat", SimulatedScene::flat},
+        {"curved", SimulatedScene::curved},
+        {"cluttered", SimulatedScene::cluttered},
+        {"bowl", SimulatedScene::bowl},
+        {"mixed", SimulatedScene::mixed},
+    }};
+    for (const auto& [known, scene] : scenes)
+        if (known == name) return scene;
+    refuse(fmt::format("unknown scene '{}'; use flat, curved, cluttered, bowl or mixed", name));
+}
+
+template <class Number>
+Number parse_number(std::string_view key, std::string_view value, Number least, Number most) {
+    Number number{};
+    const auto [end, status] = std::from_chars(value.data(), value.data() + value.size(), number);
+    const bool whole = status == std::errc{} && end == value.data() + value.size();
+    // Written so that a NaN is refused.
+    if (whole && number >= least && number <= most) return number;
+    refuse(fmt::format("key {} must be a number from {} to {}, not '{}'", key, least, most, value));
+}
+
+bool parse_switch(std::string_view key, std::string_view value) {
+    if (value == "0" || value == "1") return value == "1";
+    refuse(fmt::format("key {} must be 0 or 1, not '{}'", key, value));
+}
+
+std::string parse_path(std::string_view key, std::string_view value) {
+    if (value.empty()) refuse(fmt::format("key {} needs a path", key));
+    return std::string(value);
+}
+
+struct Parsed {
+    SimulatorConfig config;
+    std::optional<bool> drift;
+};
+
+bool set_switch(Parsed& parsed, std::string_view key, std::string_view value) {
+    if (key == "noise")
+        parsed.config.noise = parse_switch(key, value);
+    else if (key == "drift")
+        parsed.drift = parse_switch(key, value);
+    else if (key == "human")
+        parsed.config.human_timing = parse_switch(key, value);
+    else
+        return false;
+    return true;
+}
+
+bool set_number(SimulatorConfig& config, std::string_view key, std::string_view value) {
+    if (key == "seed")
+        config.seed = parse_number<std::uint64_t>(key, value, 0, 0xffff'ffffU);
+    else if (key == "hands")
+        config.hands = parse_number(key, value, 0, 2);
+    else if (key == "frames")
+        config.frames = parse_number(key, value, 0, 100'000'000);
+    else if (key == "height")
+        config.height_m = parse_number(key, value, 0.5, 1.6);
+    else if (key == "tilt")
+        config.tilt_deg = parse_number(key, value, 0.0, 45.0);
+    else if (key == "empty")
+        config.empty_s = parse_number(key, value, 0.0, 3600.0);
+    else if (key == "rate")
+        config.rate_hz = parse_number(key, value, 1.0, 120.0);
+    else
+        return false;
+    return true;
+}
+
+bool set_path(SimulatorConfig& config, std::string_view key, std::string_view value) {
+    if (key == "truth")
+        config.truth_path = parse_path(key, value);
+    else if (key == "masks")
+        config.masks_folder = parse_path(key, value);
+    else
+        return false;
+    return true;
+}
+
+void set_pair(Parsed& parsed, std::string_view pair) {
+    const std::size_t equals = pair.find('=');
+    if (equals == std::string_view::npos) refuse(fmt::format("'{}' is not of the form key=value", pair));
+    const std::string_view key = pair.substr(0, equals);
+    const std::string_view value = pair.substr(equals + 1);
+    if (set_switch(parsed, key, value) || set_number(parsed.config, key, value) ||
+        set_path(parsed.config, key, value))
+        return;
+    refuse(fmt::format("unknown key '{}'; the keys are {}", key, key_names));
+}
+
+}  // namespace
+
+SimulatorConfig parse_simulator_uri(std::string_view uri_after_scheme) {
+    const std::size_t question = uri_after_scheme.find('?');
+    Parsed parsed;
+    parsed.config.scene = parse_scene(uri_after_scheme.substr(0, question));
+    std::string_view rest =
+        question == std::string_view::npos ? std::string_view{} : uri_after_scheme.substr(question + 1);
+    while (!rest.empty()) {
+        const std::size_t end = rest.find('&');
+        set_pair(parsed, rest.substr(0, end));
+        rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
+    }
+    parsed.config.drift = parsed.drift.value_or(parsed.config.noise);
+    return parsed.config;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace touchstone {
+
+enum class SimulatedScene { flat, curved, cluttered, bowl, mixed };
+
+/// What a sensor URI `sim:SCENE?key=value&key=value` asks for.
+struct SimulatorConfig {
+    SimulatedScene scene = SimulatedScene::mixed;
+    std::uint64_t seed = 1;
+    int hands = 1;
+    int frames = 0;     ///< 0 = endless
+    bool noise = true;  ///< the structured-light sensor model; off gives exact depth
+    bool drift = true;  ///< slow column bands; follows `noise` unless the URI names it
+    bool human_timing =
+        true;  ///< taps as short as those of people (p5/p50/p95 = 36/76/230 ms), else 150 to 300 ms
+    std::string truth_path;    ///< empty = no truth file
+    std::string masks_folder;  ///< empty = no masks
+    double height_m = 1.0;     ///< camera above the table
+    double tilt_deg = 25.0;    ///< of the optical axis from straight down
+    double empty_s = 2.5;      ///< without hands at the start
+    double rate_hz = 30.0;
+};
+
+/// Reads the part of the URI after `sim:`; an empty scene name means mixed. Throws Error{usage} that names
+/// the key and the allowed range.
+SimulatorConfig parse_simulator_uri(std::string_view uri_after_scheme);
+
+}  // namespace touchstone

@@ -1,0 +1,147 @@
+#include "platform/openni2_drivers/simulator/simulator_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+
+#include "platform/image/png_file.hpp"
+#include "platform/openni2_drivers/simulator/depth_noise.hpp"
+#include "platform/openni2_drivers/simulator/hand_layer.hpp"
+#include "platform/openni2_drivers/simulator/hand_script.hpp"
+#include "platform/openni2_drivers/simulator/static_layer.hpp"
+#include "platform/openni2_drivers/simulator/truth_writer.hpp"
+#include "platform/system/error.hpp"
+
+namespace touchstone {
+namespace {
+
+using namespace sim;
+
+SourceInfo make_info(const SimulatorConfig& config, const TableView& view) {
+    return {view.intrinsics,           true,           view.intrinsics.width_px,
+            view.intrinsics.height_px, config.rate_hz, Pace::live};
+}
+
+/// Half the width of what the camera sees of the table along its optical axis.
+float reach_m(const TableView& view) { return view.on_table(639.0F, 239.5F).x(); }
+
+/// Nothing for a tip that is farther than 300 mm from every surface.
+std::optional<TipTruth> tip_truth(const RoundCone& tip, int hand, int finger, const Scene& scene,
+                                  const TableView& view) {
+    constexpr float farthest_m = 0.3F;
+    const float distance_m = scene.distance(tip.a);
+    const float gap = std::max(0.0F, distance_m - tip.radius_a);
+    if (gap > farthest_m) return std::nullopt;
+    const Vec3 on_surface_s = tip.a - distance_m * scene.normal(tip.a);
+    return TipTruth{hand, finger, 1000.0F * gap, 1000.0F * view.to_camera(on_surface_s)};
+}
+
+}  // namespace
+
+struct SimulatorSource::State {
+    explicit State(const SimulatorConfig& given)
+        : config(given),
+          view(make_table_view(config.height_m, config.tilt_deg)),
+          scene(make_scene(config.scene, config.seed, reach_m(view))),
+          static_depth_m(render_static_depth(scene, view)),
+          info(make_info(config, view)),
+          noise(config.seed, view.intrinsics.fx_px, config.noise, config.drift) {
+        for (int hand = 0; hand < config.hands; ++hand) {
+            const float half = config.hands < 2 ? 0.0F : hand == 0 ? -1.0F : 1.0F;
+            scripts.emplace_back(config, Workplace{scene, view, static_depth_m, half}, hand);
+        }
+        if (!config.truth_path.empty()) truth.emplace(config.truth_path, config.rate_hz);
+    }
+
+    void draw(double time_s);
+    void write_truth();
+    void make_color(std::vector<std::uint8_t>& color_rgb);
+    void write_masks(const SourceFrame& frame) const;
+
+    SimulatorConfig config;
+    TableView view;
+    Scene scene;
+    std::vector<float> static_depth_m;
+    std::vector<std::uint8_t> static_color_rgb;  ///< made when colour is first asked for
+    SourceInfo info;
+    DepthNoise noise;
+    std::vector<HandScript> scripts;
+    std::vector<std::optional<HandMoment>> moments;  ///< of this frame, one for each script
+    Picture picture;
+    std::optional<TruthWriter> truth;
+    bool color = false;
+    int next_index = 0;
+};
+
+void SimulatorSource::State::draw(double time_s) {
+    clear_picture(picture, static_depth_m);
+    moments.clear();
+    for (HandScript& script : scripts) {
+        const auto owner = static_cast<int>(moments.size());
+        moments.push_back(script.at(time_s));
+        if (moments.back()) draw_hand(picture, moments.back()->hand, owner, view);
+    }
+}
+
+void SimulatorSource::State::write_truth() {
+    std::vector<TipTruth> tips;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        if (!moments[i]) continue;
+        const auto hand = static_cast<int>(i);
+        if (const auto index = tip_truth(moments[i]->hand.index(), hand, 0, scene, view))
+            tips.push_back(*index);
+        if (!moments[i]->thumb_in_use) continue;
+        if (const auto thumb = tip_truth(moments[i]->hand.thumb(), hand, 1, scene, view))
+            tips.push_back(*thumb);
+    }
+    truth->add_frame(tips);
+}
+
+void SimulatorSource::State::make_color(std::vector<std::uint8_t>& color_rgb) {
+    if (static_color_rgb.empty()) static_color_rgb = render_static_color(scene, view, static_depth_m);
+    color_rgb = static_color_rgb;
+    for (std::size_t i = 0; i < moments.size(); ++i)
+        if (moments[i])
+            color_hand(color_rgb, picture, moments[i]->hand, scripts[i].shape(), static_cast<int>(i), view);
+}
+
+void SimulatorSource::State::write_masks(const SourceFrame& frame) const {
+    const int width = view.intrinsics.width_px;
+    const int height = view.intrinsics.height_px;
+    Image8 mask{width, height, 1, {}};
+    mask.pixels.reserve(picture.part.size());
+    for (const std::uint8_t part : picture.part) mask.pixels.push_back(part != 0 ? 255 : 0);
+    const std::filesystem::path folder = config.masks_folder;
+    write_png(folder / fmt::format("truth-{:06d}.mask.png", frame.index), mask);
+    write_png(folder / fmt::format("frame-{:06d}.depth.png", frame.index),
+              Image16{width, height, frame.depth_mm});
+}
+
+SimulatorSource::SimulatorSource(const SimulatorConfig& config) : state_(std::make_unique<State>(config)) {}
+
+SimulatorSource::~SimulatorSource() = default;
+
+const SourceInfo& SimulatorSource::info() const { return state_->info; }
+
+void SimulatorSource::enable_color(bool enabled) { state_->color = enabled; }
+
+bool SimulatorSource::next(SourceFrame& frame) {
+    State& state = *state_;
+    if (state.config.frames > 0 && state.next_index >= state.config.frames) return false;
+    frame.index = state.next_index++;
+    const double time_s = frame.index / state.config.rate_hz;
+    frame.timestamp_us = static_cast<std::uint64_t>(std::llround(1e6 * time_s));
+    state.draw(time_s);
+    state.noise.apply(state.picture.depth_m, frame.index, time_s, frame.depth_mm);
+    frame.color_rgb.clear();
+    if (state.color) state.make_color(frame.color_rgb);
+    if (state.truth) state.write_truth();
+    if (!state.config.masks_folder.empty()) state.write_masks(frame);
+    return true;
+}
+
+std::unique_ptr<FrameSource> open_simulator(std::string_view uri_after_scheme) {
+    return std::make_unique<SimulatorSource>(parse_simulator_uri(uri_after_scheme));
+}
+
+}  // namespace touchstone

@@ -1,0 +1,19 @@
+#include "platform/openni2_drivers/simulator/table_view.hpp"
+
+#include <cmath>
+
+namespace touchstone::sim {
+
+TableView make_table_view(double height_m, double tilt_deg) {
+    TableView view;
+    view.intrinsics = {575.8F, 575.8F, 319.5F, 239.5F, 640, 480, {0, 0}};
+    const float tilt = radians(static_cast<float>(tilt_deg));
+    const float height = static_cast<float>(height_m);
+    view.rotation_s_c.col(0) = Vec3(1.0F, 0.0F, 0.0F);
+    view.rotation_s_c.col(1) = Vec3(0.0F, -std::cos(tilt), -std::sin(tilt));
+    view.rotation_s_c.col(2) = Vec3(0.0F, std::sin(tilt), -std::cos(tilt));
+    view.camera_s = {0.0F, -height * std::tan(tilt), height};
+    return view;
+}
+
+}  // namespace touchstone::sim
