@@ -22,7 +22,7 @@ namespace {
 /// for a while.
 void wait_until_started(const std::string& path) {
     using Clock = std::chrono::steady_clock;
-    constexpr auto quiet = std::chrono::milliseconds(100), longest = std::chrono::seconds(3);
+    constexpr std::chrono::milliseconds quiet(100), longest(3000);
     const auto begin = Clock::now();
     auto last_growth = begin;
     std::uintmax_t size = 0;

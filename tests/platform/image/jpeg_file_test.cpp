@@ -1,0 +1,48 @@
+#include "platform/image/jpeg_file.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "tests/support/expect_error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace touchstone {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::filesystem::path known_jpeg() {
+    return std::filesystem::path(TOUCHSTONE_SHARED_DIR) / "data/openni-desk/color-0.jpg";
+}
+
+TEST(JpegFile, ReadsRgb) {
+    if (!std::filesystem::exists(known_jpeg())) GTEST_SKIP() << "no " << known_jpeg();
+    const Image8 image = read_jpeg_rgb(known_jpeg());
+    EXPECT_EQ(image.width_px, 640);
+    EXPECT_EQ(image.height_px, 480);
+    EXPECT_EQ(image.channels, 3);
+    ASSERT_EQ(image.pixels.size(), 640U * 480U * 3U);
+    const auto [low, high] = std::minmax_element(image.pixels.begin(), image.pixels.end());
+    EXPECT_GT(*high - *low, 100) << "a real picture has contrast";
+}
+
+TEST(JpegFile, ACutFileIsBadData) {
+    if (!std::filesystem::exists(known_jpeg())) GTEST_SKIP() << "no " << known_jpeg();
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(known_jpeg(), folder / "cut.jpg");
+    std::filesystem::permissions(folder / "cut.jpg", std::filesystem::perms::owner_write,
+                                 std::filesystem::perm_options::add);
+    std::filesystem::resize_file(folder / "cut.jpg", std::filesystem::file_size(known_jpeg()) / 2);
+    expect_error([&] { read_jpeg_rgb(folder / "cut.jpg"); }, ExitStatus::bad_data, HasSubstr("cut.jpg"));
+}
+
+TEST(JpegFile, OtherFilesAreBadDataAndMissingOnesNoInput) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "text.jpg") << "this is no picture";
+    expect_error([&] { read_jpeg_rgb(folder / "text.jpg"); }, ExitStatus::bad_data, HasSubstr("text.jpg"));
+    expect_error([&] { read_jpeg_rgb(folder / "none.jpg"); }, ExitStatus::no_input, HasSubstr("none.jpg"));
+}
+
+}  // namespace
+}  // namespace touchstone
