@@ -1,7 +1,5 @@
 #include "platform/display/gl_program.hpp"
 
-#include <regex>
-
 #include "platform/system/error.hpp"
 
 namespace touchstone {
@@ -26,13 +24,21 @@ GlShaderHandle compile(GLenum stage, const ShaderSource& source) {
 
 }  // namespace
 
-// Mesa writes "0:12(5): error: ...", Mali and ANGLE "ERROR: 0:12: ...", NVIDIA "0(12) : error ...".
+// Mesa writes "0:12(5): error: ...", Mali and ANGLE "ERROR: 0:12: ...", NVIDIA "0(12) : error ...": the line
+// is the second number, the message follows the next ": ".
 std::string first_shader_error(std::string_view path, const std::string& log) {
-    static const std::regex pattern(R"((?:^|\n)(?:ERROR: )?\d+(?::|\()(\d+)(?:\(\d+\)|\))?\s*:\s*([^\n]*))");
-    std::smatch match;
-    if (std::regex_search(log, match, pattern))
-        return std::string(path) + ":" + match[1].str() + ": " + match[2].str();
-    return std::string(path) + ": " + log.substr(0, log.find('\n'));
+    const std::string line = log.substr(0, log.find('\n'));
+    constexpr const char* digits = "0123456789";
+    const std::size_t source = line.find_first_of(digits);
+    const std::size_t mark = line.find_first_not_of(digits, source);
+    const bool recognised = source == 0 || line.rfind("ERROR: ", 0) == 0;
+    if (recognised && mark != std::string::npos && (line[mark] == ':' || line[mark] == '(')) {
+        const std::size_t end = line.find_first_not_of(digits, mark + 1);
+        const std::size_t message = line.find(": ", mark + 1);
+        if (end != std::string::npos && end > mark + 1 && message != std::string::npos)
+            return std::string(path) + ":" + line.substr(mark + 1, end - mark - 1) + line.substr(message);
+    }
+    return std::string(path) + ": " + line;
 }
 
 GlProgram::GlProgram(const ShaderSource& vertex, const ShaderSource& fragment) {

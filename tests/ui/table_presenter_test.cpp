@@ -142,6 +142,15 @@ TEST_F(TablePresenterTest, UpEndsTheStroke) {
     EXPECT_LE(difference(color_at_view(after, {230.f, 50.f}), style::finger_color(1)), tolerance);
 }
 
+TEST_F(TablePresenterTest, AFingerSeenFirstInMotionStartsThere) {
+    draw_stroke(1, {40.f, 50.f}, {100.f, 50.f});
+    const Picture after =
+        present({touch(1, TouchPhase::move, {200.f, 50.f}), touch(1, TouchPhase::move, {260.f, 50.f}),
+                 touch(1, TouchPhase::up, {260.f, 50.f})});
+    EXPECT_EQ(color_at_view(after, {150.f, 50.f}), style::white) << "no paint from its last stroke to here";
+    EXPECT_LE(difference(color_at_view(after, {230.f, 50.f}), style::finger_color(1)), tolerance);
+}
+
 TEST_F(TablePresenterTest, FingersAtTheSameTimeHaveStrokesOfTheirOwn) {
     for (int i = 0; i <= 5; ++i) {
         const TouchPhase phase = i == 0 ? TouchPhase::down : i == 5 ? TouchPhase::up : TouchPhase::move;
@@ -217,8 +226,12 @@ TEST_F(TablePresenterTest, LosingTheSensorLiftsFingersAndKeepsPaint) {
     frame_.state = "sensor_lost";
     present();
     frame_.state = "live";
+    const float disc_px = style::touch_radius_px * make_layout(display_size, view_size).scale;
+    const Vector2f in_disc(0.f, 0.8f * disc_px / mapping_.display_px_per_px);
+    EXPECT_EQ(color_at_view(present(), place + in_disc), style::white)
+        << "no disc of a finger nobody saw leave";
     const Picture after =
-        present({touch(2, TouchPhase::down, {250.f, 200.f}), touch(2, TouchPhase::up, {250.f, 200.f})});
+        present({touch(2, TouchPhase::move, {250.f, 200.f}), touch(2, TouchPhase::up, {250.f, 200.f})});
     EXPECT_LE(difference(color_at_view(after, {150.f, 40.f}), style::finger_color(1)), tolerance);
     EXPECT_EQ(color_at_view(after, {175.f, 150.f}), style::white) << "no line from the place before the loss";
 }
