@@ -69,6 +69,50 @@ typedef struct TouchMapParams {
     int reserved[2];
 } TouchMapParams;
 
+/* Why a live pixel has no counterpart in the prediction (the outlier map of Fig 14b). The last is only a hint: such a
+ * pixel is at the depth of the model. */
+enum RejectionCode {
+    ASSOCIATION_INLIER = 0,
+    ASSOCIATION_NO_LIVE_DEPTH = 1,
+    ASSOCIATION_NO_MODEL = 2,
+    ASSOCIATION_IN_FRONT = 3,
+    ASSOCIATION_SLIGHTLY_IN_FRONT = 4,
+    ASSOCIATION_BEHIND = 5,
+    ASSOCIATION_NORMAL_DIFFERS = 6
+};
+
+/* Two depths agree when 1/z differs by less than so many sigmas; sigma^2 = (sigma_z / z^2)^2 + quantisation^2. */
+typedef struct AssociationParams {
+    SensorNoise noise;
+    float quantisation_per_m;    /* standard deviation of 1/z by rounding to steps of disparity, 1/m */
+    float sigmas_high;           /* in front: surely */
+    float sigmas_low;            /* in front: where a sure pixel is connected to it */
+    float min_normal_cos;        /* -1: the normals of the live picture are not compared */
+} AssociationParams;
+
+/* Pixels given to connected components: 0 is none of them; the others are counted apart. */
+enum ComponentMember { MEMBER_NONE = 0, MEMBER_GROWTH = 1, MEMBER_SEED = 2, MEMBER_UNKNOWN = 3 };
+
+/* Neighbours are connected when their depths differ by less than max(gap_sigmas sigma_z(z), gap_per_m z). */
+typedef struct ConnectionParams {
+    SensorNoise noise;
+    float gap_sigmas, gap_per_m;
+} ConnectionParams;
+
+/* Sums over one connected component; the last column and row are part of it. */
+typedef struct ComponentSums {
+    int root; /* map index of its first pixel, row by row */
+    int pixels, seeds, unknowns;
+    int min_x, min_y, max_x, max_y;
+    int depth_mm_low, depth_mm_high; /* sum of depths = high 2^16 + low, millimetres */
+    int reserved[2];
+} ComponentSums;
+
+/* Base colours 0..1, w: how much they shine; the light's direction in the camera frame, from the light. */
+typedef struct ShadingParams {
+    Float4 background, foreground, unknown, light_c;
+} ShadingParams;
+
 #ifndef __OPENCL_VERSION__
 } /* namespace touchstone */
 #endif

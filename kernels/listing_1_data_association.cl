@@ -1,0 +1,70 @@
+/* Listing 1: projective data association, live picture against the prediction of the model, with the reason per pixel
+ * where there is no counterpart: the outlier map of Fig 14b. Live frame c, prediction frame p; both points are compared
+ * in p, so the model's vertex needs no transform. The distance test is in 1/z, the sensor's own unit. */
+
+/* Standard deviation of 1/z of a surface seen at the angle theta. 2 tan^2 stands for (theta / (pi/2 - theta))^2. */
+inline float8 sigma_inverse_depth8(const AssociationParams params, const float8 z, const float8 cos_theta) {
+    const float8 cos2 = fmax(cos_theta * cos_theta, 0.01f);
+    const float8 grazing = params.noise.grazing * rsqrt(z) * 2.0f * (1.0f - cos2) / cos2;
+    const float8 sigma = (sigma_z8(params.noise, z) + grazing) / (z * z);
+    return sqrt(sigma * sigma + params.quantisation_per_m * params.quantisation_per_m);
+}
+
+inline Points8 load_or_gather_points8(__global const float* planes, const int at, const int plane, const int8 pixel,
+                                      const int aligned) {
+    Points8 p;
+    if (aligned) {
+        p.x = vload8(0, planes + at);
+        p.y = vload8(0, planes + plane + at);
+        p.z = vload8(0, planes + 2 * plane + at);
+    } else {
+        p.x = gather8(planes, pixel);
+        p.y = gather8(planes + plane, pixel);
+        p.z = gather8(planes + 2 * plane, pixel);
+    }
+    return p;
+}
+
+/* fallback_m is used where the prediction has no surface; 0 there: nothing is known. aligned: T_p_c is the identity. */
+__kernel void associate(__global const float* live_m, __global const float* live_normals_c,
+                        __global const float* model_m, __global const float* model_normals_p,
+                        __global const float* fallback_m, __global uchar* codes, const MapShape shape,
+                        const Intrinsics k, const Pose T_p_c, const int aligned, const AssociationParams params) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;  // L1:1
+    const int plane = shape.pitch_px * shape.rows_px;
+    const float8 live = vload8(0, live_m + at);
+    const int8 measured = live > 0.0f;  // L1:2
+    if (!any(measured)) {
+        vstore8((uchar8)(ASSOCIATION_NO_LIVE_DEPTH), 0, codes + at);
+        return;
+    }
+    Points8 v = back_project8(k, x, y, live);
+    int8 pixel = convert_int8(lanes8()) + at;
+    if (!aligned) {
+        v = transform_points8(T_p_c, v);             // L1:3
+        pixel = project_to_index8(k, shape, v);      // L1:4
+    }
+    const float8 predicted = aligned ? vload8(0, model_m + at) : gather8(model_m, pixel);  // L1:6
+    const float8 fallback = aligned ? vload8(0, fallback_m + at) : gather8(fallback_m, pixel);
+    const float8 model = select(fallback, predicted, predicted > 0.0f);
+    const int8 known = measured & (v.z > 0.0f) & (model > 0.0f);  // L1:5
+    const Points8 n = load_or_gather_points8(model_normals_p, at, plane, pixel, aligned);  // L1:7
+    const float8 z = select((float8)(1.0f), v.z, known);
+    const int8 has_normal = dot8(n, n) > 0.5f;
+    const float8 cos_theta = select((float8)(1.0f), dot8(n, v) * rsqrt(dot8(v, v)), has_normal & known);
+    const float8 sigma = sigma_inverse_depth8(params, z, cos_theta);
+    const float8 nearer = 1.0f / z - 1.0f / select((float8)(1.0f), model, known);
+    int8 code = select((int8)(ASSOCIATION_NO_MODEL), (int8)(ASSOCIATION_INLIER), known);  // L1:9
+    code = select(code, (int8)(ASSOCIATION_NO_LIVE_DEPTH), ~measured);
+    if (params.min_normal_cos > -1.0f) {
+        Points8 n_live = load_or_gather_points8(live_normals_c, at, plane, pixel, 1);
+        if (!aligned) n_live = rotate_vectors8(T_p_c, n_live);
+        // "Within a threshold" of the angle: no abs(), which would let a back match a front.
+        const int8 differs = has_normal & (dot8(n_live, n_live) > 0.5f) & (dot8(n, n_live) < params.min_normal_cos);
+        code = select(code, (int8)(ASSOCIATION_NORMAL_DIFFERS), known & differs);
+    }
+    code = select(code, (int8)(ASSOCIATION_SLIGHTLY_IN_FRONT), known & (nearer > params.sigmas_low * sigma));
+    code = select(code, (int8)(ASSOCIATION_IN_FRONT), known & (nearer > params.sigmas_high * sigma));  // L1:8
+    code = select(code, (int8)(ASSOCIATION_BEHIND), known & (nearer < -params.sigmas_high * sigma));
+    vstore8(convert_uchar8(code), 0, codes + at);
+}
