@@ -20,10 +20,25 @@ class SdlVideo {
         SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // SIGTERM belongs to the application
         SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "0");
         if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) throw sdl_error("starting SDL video");
+        if (!shows_a_screen()) {
+            SDL_SetError("no display server and no screen found");
+            const Error error = sdl_error("starting SDL video");
+            SDL_QuitSubSystem(SDL_INIT_VIDEO);
+            throw error;
+        }
     }
     ~SdlVideo() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
     SdlVideo(const SdlVideo&) = delete;
     SdlVideo& operator=(const SdlVideo&) = delete;
+
+  private:
+    /// Where SDL finds no display server it takes its offscreen driver, in which nobody would see the window.
+    /// Named in SDL_VIDEODRIVER it is what the user wants.
+    static bool shows_a_screen() {
+        const std::string driver = SDL_GetCurrentVideoDriver();
+        return (driver != "offscreen" && driver != "dummy") || SDL_GetHint(SDL_HINT_VIDEODRIVER) ||
+               SDL_getenv("SDL_VIDEODRIVER");
+    }
 };
 
 class SdlWindow {
