@@ -1,6 +1,8 @@
 #include "platform/camera/recording.hpp"
 
+#include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <fmt/core.h>
 #include <system_error>
@@ -11,6 +13,16 @@
 
 namespace touchstone {
 namespace {
+
+/// OpenNI's recorder crashes where it cannot open its file: try before it does.
+void check_writable(const std::string& path) {
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (file == nullptr) {
+        throw Error(ExitStatus::io_error,
+                    fmt::format("cannot record to {}: {}", path, std::generic_category().message(errno)));
+    }
+    std::fclose(file);
+}
 
 [[noreturn]] void fail(const std::string& path) {
     throw Error(ExitStatus::io_error,
@@ -40,6 +52,7 @@ void wait_until_started(const std::string& path) {
 }  // namespace
 
 Recording::Recording(const std::string& path, openni::VideoStream& depth, openni::VideoStream& color) {
+    check_writable(path);
     if (recorder_.create(path.c_str()) != openni::STATUS_OK) fail(path);
     if (recorder_.attach(depth) != openni::STATUS_OK) fail(path);
     if (color.isValid() && recorder_.attach(color, true) != openni::STATUS_OK) fail(path);

@@ -9,8 +9,9 @@
 namespace touchstone {
 namespace {
 
-// 65535 means invalid in several data sets, and the recorder's depth codec has no code for it.
-constexpr int max_depth_mm = 65534;
+// The recorder's depth codec turns values that are not below this one into others. 65535 itself never occurs:
+// it means invalid in several data sets.
+constexpr int max_depth_mm = 65535;
 
 int stride_bytes(const OniVideoMode& mode) {
     return mode.resolutionX * (mode.pixelFormat == ONI_PIXEL_FORMAT_RGB888 ? 3 : 2);
