@@ -12,10 +12,10 @@ TouchMapping::TouchMapping(const Device& device, const TouchMapConfig& config, c
       touch_map_(program_.kernel("touch_map")) {}
 
 void TouchMapping::update(const Buffer<float>& live_m, const Buffer<std::uint8_t>& mask,
-                          const SurfacePrediction& background, std::span<const PixelBox> boxes,
+                          const SurfacePrediction& background, std::span<const PixelRegion> boxes,
                           TouchMap& map) {
     map.touch.fill(0);
-    for (const PixelBox& box : boxes) {
+    for (const PixelRegion& box : boxes) {
         if (box.empty()) continue;
         const int origin_x = box.x0 / 8 * 8, origin_y = box.y0;
         const auto columns = ceil_div(static_cast<std::size_t>(box.x1 - origin_x), 8);

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "pipeline/maps.hpp"
-#include "pipeline/pixel_box.hpp"
+#include "pipeline/pixel_region.hpp"
 #include "platform/opencl/program.hpp"
 
 namespace touchstone {
@@ -36,7 +36,7 @@ class TouchMapping {
     /// `live_m`: depth of what the camera sees now, `mask`: other than 0 on the foreground. Work is done only
     /// in the boxes, which lie in the picture.
     void update(const Buffer<float>& live_m, const Buffer<std::uint8_t>& mask,
-                const SurfacePrediction& background, std::span<const PixelBox> boxes, TouchMap& map);
+                const SurfacePrediction& background, std::span<const PixelRegion> boxes, TouchMap& map);
 
   private:
     Intrinsics intrinsics_;

@@ -46,7 +46,7 @@ class Listing4 : public testing::Test {
         return prediction;
     }
 
-    TouchMap map_on_device(const std::vector<PixelBox>& boxes) {
+    TouchMap map_on_device(const std::vector<PixelRegion>& boxes) {
         const SurfacePrediction prediction = uploaded_background();
         const Buffer<float> live(device, test::padded<float>(shape, live_m));
         const Buffer<std::uint8_t> masked(device, test::padded<std::uint8_t>(shape, mask));
@@ -107,7 +107,7 @@ TEST_F(Listing4, HeightIsTheDistanceToTheSurfaceNotAlongTheRay) {
 
 TEST_F(Listing4, OnlyTheBoxesAreWorkedOnAndTheRestHasNoTouch) {
     const TouchMap everywhere = map_on_device({{0, 0, k.width_px, k.height_px}});
-    const PixelBox box{101, 60, 141, 110};
+    const PixelRegion box{101, 60, 141, 110};
     const TouchMap boxed = map_on_device({box});
     const std::vector<std::uint8_t> all = everywhere.touch.read(), some = boxed.touch.read();
     int inside = 0;

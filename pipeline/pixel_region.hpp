@@ -5,7 +5,7 @@
 namespace touchstone {
 
 /// A rectangle of pixels: x0 <= x < x1, y0 <= y < y1.
-struct PixelBox {
+struct PixelRegion {
     int x0 = 0;
     int y0 = 0;
     int x1 = 0;
@@ -18,16 +18,16 @@ struct PixelBox {
 };
 
 /// The box with a margin on each side, cut to the picture.
-inline PixelBox grown(const PixelBox& box, int margin_px, int width_px, int height_px) {
+inline PixelRegion grown(const PixelRegion& box, int margin_px, int width_px, int height_px) {
     return {std::max(0, box.x0 - margin_px), std::max(0, box.y0 - margin_px),
             std::min(width_px, box.x1 + margin_px), std::min(height_px, box.y1 + margin_px)};
 }
 
-inline bool overlap(const PixelBox& a, const PixelBox& b) {
+inline bool overlap(const PixelRegion& a, const PixelRegion& b) {
     return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
 }
 
-inline PixelBox hull(const PixelBox& a, const PixelBox& b) {
+inline PixelRegion hull(const PixelRegion& a, const PixelRegion& b) {
     return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+namespace touchstone {
+
+/// The last joint of a finger: a round end and a slightly conical shaft behind it. Camera frame, metres.
+struct FingerShape {
+    Eigen::Vector3f center_m{0.f, 0.f, 0.f};  ///< of the round end
+    Eigen::Vector3f axis{0.f, 0.f, 1.f};      ///< unit length, from the tip to the hand
+    float radius_m = 0.f;                     ///< of the round end
+};
+
+/// What is known of a finger's radius before a fit.
+struct RadiusPrior {
+    float radius_m = 0.0075f;  ///< index fingers of adults: 6 to 9 mm
+    float sigma_m = 0.001f;
+};
+
+struct FingerFitConfig {
+    float widening = 0.1f;             ///< of the radius over `length_m`
+    float length_m = 0.026f;           ///< of the shaft that is used: to the first joint
+    float least_radius_m = 0.005f;     ///< a child's little finger
+    float greatest_radius_m = 0.012f;  ///< a thumb
+    float lateral_sigma_m = 0.0007f;   ///< of a point's place across the ray: half a pixel at 1 m
+    float gate_sigmas = 3.0f;          ///< points farther off the shape do not count
+    float first_gate_m = 0.006f;       ///< the same in the first rounds, when the shape is a guess
+    int rounds = 8;
+};
+
+struct FingerFit {
+    FingerShape shape;
+    int points = 0;          ///< in the reach of the shape: the round end and length_m behind it
+    int inliers = 0;         ///< of them within the gate
+    float rms_sigmas = 0.f;  ///< of the inliers
+    bool ok = false;         ///< a well-posed fit inside the limits
+};
+
+/// Distance of a point from the finger's skin, positive outside.
+float distance_m(const FingerShape& shape, const FingerFitConfig& config, const Eigen::Vector3f& point_m);
+
+/// The finger that best explains points of its visible side, by weighted Gauss-Newton from `guess`.
+/// `sigma_z_m` is the noise of a point along its ray.
+FingerFit fit_finger(std::span<const Eigen::Vector3f> points_m, const FingerShape& guess,
+                     const RadiusPrior& prior, float sigma_z_m, const FingerFitConfig& config);
+
+}  // namespace touchstone

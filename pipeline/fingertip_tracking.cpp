@@ -1,0 +1,141 @@
+#include "pipeline/fingertip_tracking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "pipeline/table_picture.hpp"
+
+namespace touchstone {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+namespace {
+
+bool in_area(const Vector2f& uv, float margin) {
+    return uv.minCoeff() >= -margin && uv.maxCoeff() <= 1.0f + margin;
+}
+
+}  // namespace
+
+float FingertipTracking::seconds_since_last(std::uint64_t timestamp_us) const {
+    if (last_us_ == 0 || timestamp_us <= last_us_) return 1.0f / 30.0f;
+    return std::clamp(static_cast<float>(timestamp_us - last_us_) * 1e-6f, 0.005f, 0.2f);
+}
+
+std::vector<KnownFinger> FingertipTracking::expected(std::uint64_t timestamp_us) const {
+    const float dt_s = seconds_since_last(timestamp_us);
+    std::vector<KnownFinger> known;
+    for (const Track& track : tracks_) {
+        const Vector3f center = track.tip.shape.center_m + dt_s * track.velocity_m_s;
+        known.push_back({center, track.radius});
+    }
+    return known;
+}
+
+std::vector<int> FingertipTracking::assign(std::span<const FingertipCandidate> tips, float dt_s) const {
+    std::vector<std::tuple<float, std::size_t, std::size_t>> pairs;
+    for (std::size_t t = 0; t < tracks_.size(); ++t) {
+        const Track& track = tracks_[t];
+        const Vector3f step = dt_s * track.velocity_m_s;
+        const float gate = track.age < 2 ? config_.new_gate_m : config_.gate_m + config_.gate_s * step.norm();
+        for (std::size_t i = 0; i < tips.size(); ++i) {
+            const float distance = (tips[i].shape.center_m - track.tip.shape.center_m - step).norm();
+            if (distance <= gate) pairs.emplace_back(distance, t, i);
+        }
+    }
+    std::ranges::sort(pairs);
+    std::vector<int> tip_of_track(tracks_.size(), -1);
+    std::vector<bool> taken(tips.size(), false);
+    for (const auto& [distance, t, i] : pairs) {
+        if (tip_of_track[t] >= 0 || taken[i]) continue;
+        tip_of_track[t] = static_cast<int>(i);
+        taken[i] = true;
+    }
+    return tip_of_track;
+}
+
+void FingertipTracking::follow(Track& track, const FingertipCandidate& tip, float dt_s) const {
+    const float since_s = dt_s * static_cast<float>(1 + track.missed);
+    Vector3f velocity = (tip.shape.center_m - track.tip.shape.center_m) / since_s;
+    if (velocity.norm() > config_.most_speed_m_s) velocity *= config_.most_speed_m_s / velocity.norm();
+    const float gain = track.age < 2 ? 1.0f : config_.velocity_gain;
+    track.velocity_m_s += gain * (velocity - track.velocity_m_s);
+    track.tip = tip;
+    track.missed = 0;
+    ++track.age;
+    const float frames = std::min(static_cast<float>(track.age), config_.radius_frames);
+    track.radius.radius_m += (tip.shape.radius_m - track.radius.radius_m) / frames;
+    track.radius.sigma_m = std::max(config_.radius_floor_m, RadiusPrior{}.sigma_m / std::sqrt(frames));
+}
+
+void FingertipTracking::report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics,
+                               TrackedTouches& out) {
+    const bool seen = track.missed == 0;
+    const Vector2f uv = area_uv(area, track.tip.surface_c_m);
+    const bool was_down = track.down;
+    if (seen) {
+        const float limit_m = was_down ? config_.up_m : config_.down_m;
+        track.down = track.tip.height_m < limit_m && in_area(uv, config_.area_margin) &&
+                     (was_down || track.age >= config_.least_age_frames);
+    } else if (track.missed > config_.bridged_frames) {
+        track.down = false;
+    }
+    if (was_down && !track.down) {
+        out.touches.push_back({track.last, TouchPhase::up});
+        if (seen) out.touches.back().tip.id = track.id;
+    }
+    if (seen) {
+        track.last.id = track.id;
+        track.last.surface_c_m = track.tip.surface_c_m;
+        track.last.pixel_px = project(intrinsics, track.tip.surface_c_m);
+        track.last.area_uv = uv;
+        track.last.height_m = track.tip.height_m;
+    }
+    if (track.down) {
+        out.touches.push_back({track.last, was_down ? TouchPhase::move : TouchPhase::down});
+    } else if (seen && !was_down && in_area(uv, config_.area_margin)) {
+        out.hovers.push_back({track.last});
+    }
+}
+
+TrackedTouches FingertipTracking::update(std::span<const FingertipCandidate> tips,
+                                         const InteractiveArea& area, const Intrinsics& intrinsics,
+                                         std::uint64_t timestamp_us) {
+    const float dt_s = seconds_since_last(timestamp_us);
+    last_us_ = timestamp_us;
+    const std::vector<int> tip_of_track = assign(tips, dt_s);
+    std::vector<bool> taken(tips.size(), false);
+    for (std::size_t t = 0; t < tracks_.size(); ++t) {
+        if (tip_of_track[t] < 0) {
+            ++tracks_[t].missed;
+            continue;
+        }
+        const auto i = static_cast<std::size_t>(tip_of_track[t]);
+        taken[i] = true;
+        follow(tracks_[t], tips[i], dt_s);
+    }
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+        if (taken[i]) continue;
+        Track track;
+        track.id = next_id_++;
+        track.tip = tips[i];
+        track.radius.radius_m = tips[i].shape.radius_m;
+        tracks_.push_back(track);
+    }
+    TrackedTouches out;
+    for (Track& track : tracks_) report(track, area, intrinsics, out);
+    std::erase_if(tracks_, [&](const Track& track) { return track.missed > config_.bridged_frames; });
+    return out;
+}
+
+std::vector<TouchEvent> FingertipTracking::release_all() {
+    std::vector<TouchEvent> ups;
+    for (const Track& track : tracks_)
+        if (track.down) ups.push_back({track.last, TouchPhase::up});
+    tracks_.clear();
+    return ups;
+}
+
+}  // namespace touchstone

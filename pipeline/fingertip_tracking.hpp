@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pipeline/fingertip_detection.hpp"
+#include "pipeline/touch_event.hpp"
+#include "pipeline/types.hpp"
+
+namespace touchstone {
+
+struct FingertipTrackingConfig {
+    float down_m = 0.0045f;          ///< pad lower than this: contact
+    float up_m = 0.008f;             ///< pad higher than this: no contact any more
+    float gate_m = 0.045f;           ///< a finger moves at most this far from where it is expected ...
+    float gate_s = 0.5f;             ///< ... plus this times its predicted step
+    float new_gate_m = 0.07f;        ///< the same in the second frame, when its speed is not known: 2 m/s
+    int bridged_frames = 3;          ///< a finger out of sight this long is still followed
+    int least_age_frames = 2;        ///< seen this often before it may touch
+    float velocity_gain = 0.6f;      ///< of a new measurement of the velocity
+    float most_speed_m_s = 3.0f;     ///< hands are not faster
+    float radius_frames = 20.0f;     ///< frames over which the radius is averaged
+    float radius_floor_m = 0.0002f;  ///< the radius is never known better
+    float area_margin = 0.02f;       ///< beyond 0..1 of the interactive area
+};
+
+struct TrackedTouches {
+    std::vector<TouchEvent> touches;
+    std::vector<HoverEvent> hovers;
+};
+
+/// Follows fingertips from frame to frame, learns how thick each is, and tells touch from hover.
+class FingertipTracking {
+  public:
+    explicit FingertipTracking(const FingertipTrackingConfig& config) : config_(config) {}
+
+    TrackedTouches update(std::span<const FingertipCandidate> tips, const InteractiveArea& area,
+                          const Intrinsics& intrinsics, std::uint64_t timestamp_us);
+    /// Where the followed fingers are expected at a time, and their radius.
+    std::vector<KnownFinger> expected(std::uint64_t timestamp_us) const;
+    /// Ends all touches: the sensor is lost or the camera was moved.
+    std::vector<TouchEvent> release_all();
+
+  private:
+    struct Track {
+        int id = 0;
+        FingertipCandidate tip;
+        Eigen::Vector3f velocity_m_s{0.f, 0.f, 0.f};
+        Fingertip last;  ///< as reported
+        RadiusPrior radius;
+        int age = 1;     ///< frames in which it was seen
+        int missed = 0;  ///< frames since
+        bool down = false;
+    };
+
+    float seconds_since_last(std::uint64_t timestamp_us) const;
+    std::vector<int> assign(std::span<const FingertipCandidate> tips, float dt_s) const;
+    void follow(Track& track, const FingertipCandidate& tip, float dt_s) const;
+    void report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics, TrackedTouches& out);
+
+    FingertipTrackingConfig config_;
+    std::vector<Track> tracks_;
+    std::uint64_t last_us_ = 0;
+    int next_id_ = 1;
+};
+
+}  // namespace touchstone

@@ -1,0 +1,30 @@
+#include "pipeline/touch_detection.hpp"
+
+namespace touchstone {
+
+TouchDetection::TouchDetection(const Device& device, const TouchDetectionConfig& config,
+                               const Intrinsics& intrinsics)
+    : config_(config),
+      intrinsics_(intrinsics),
+      mapping_(device, config.map, intrinsics),
+      map_(device, make_map_shape(intrinsics)),
+      tracking_(config.tracking) {}
+
+TrackedTouches TouchDetection::detect(const TouchInput& input) {
+    mapping_.update(input.live.filtered_m, input.mask, input.background, input.regions, map_);
+    candidates_.clear();
+    if (!input.regions.empty()) {
+        const auto live = input.live.depth_m.map_read();
+        const auto height = map_.height_m.map_read();
+        const auto background = input.background.depth_m.map_read();
+        const auto normals = input.background.normals_c.map_read();
+        const auto mask = input.mask.map_read();
+        const TablePicture picture{intrinsics_,     map_.shape,          config_.map.noise, live.values(),
+                                   height.values(), background.values(), normals.values(),  mask.values()};
+        candidates_ = detect_fingertips(picture, input.regions, tracking_.expected(input.timestamp_us),
+                                        config_.fingertips);
+    }
+    return tracking_.update(candidates_, input.area, intrinsics_, input.timestamp_us);
+}
+
+}  // namespace touchstone
