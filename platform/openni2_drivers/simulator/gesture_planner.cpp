@@ -29,7 +29,21 @@ float planned_gap_m(Gesture gesture, Random& random) {
     return random.uniform(0.0F, 0.15F) * mm;
 }
 
-/// Lengths of the pieces of a contact, seconds.
+/// A point of the scene that the camera sees; every second one lies on a thing, where there is one.
+Vec3 draw_goal(const Workplace& place, Random& random) {
+    const bool on_thing = random.chance(0.5F);
+    Vec3 goal;
+    for (int attempt = 0; attempt < 20; ++attempt) {
+        const int u = 40 + random.below(560);
+        const int v = 40 + random.below(400);
+        const float z = place.depth_m[static_cast<std::size_t>(v * place.view.intrinsics.width_px + u)];
+        goal = place.view.to_scene(place.view.ray_c(static_cast<float>(u), static_cast<float>(v)) * z);
+        if (!on_thing || place.scene.nearest(goal) >= 0) break;
+    }
+    return goal;
+}
+
+/// Of a strike or a lift.
 double strike_s(Random& random) { return random.uniform(0.09F, 0.17F); }
 
 }  // namespace
@@ -49,20 +63,16 @@ bool GesturePlanner::can_rest(const HandPosture& posture, const Vec3& shoulder_s
 
 std::optional<HandPosture> GesturePlanner::aim(Gesture gesture, float gap_m, const Vec3& shoulder_s,
                                                Random& random) const {
-    const float u = random.uniform(40.0F, 600.0F);
-    const float v = random.uniform(40.0F, 440.0F);
-    const auto pixel =
-        static_cast<std::size_t>(static_cast<int>(v) * place_.view.intrinsics.width_px + static_cast<int>(u));
-    const Vec3 goal = place_.view.to_scene(place_.view.ray_c(u, v) * place_.depth_m[pixel]);
+    const Vec3 goal = draw_goal(place_, random);
     const Vec3 way = goal - shoulder_s;
-    if (way.head<2>().norm() > 0.66F || way.head<2>().norm() < 0.26F) return std::nullopt;
+    if (way.head<2>().norm() > 0.8F || way.head<2>().norm() < 0.26F) return std::nullopt;
     if (place_.half != 0.0F && place_.half * goal.x() < 0.05F) return std::nullopt;
     const bool pinch = gesture == Gesture::pinch;
     HandPosture posture;
     posture.yaw_rad = std::atan2(way.y(), way.x()) + radians(12.0F) * random.normal();
     posture.pitch_rad = radians(pinch ? random.uniform(36.0F, 60.0F) : random.uniform(30.0F, 60.0F));
     posture.bend_rad = radians(random.uniform(4.0F, 22.0F));
-    posture.curl = random.uniform(0.0F, 0.9F);
+    posture.curl = random.chance(0.65F) ? random.uniform(0.85F, 1.0F) : random.uniform(0.0F, 0.3F);
     const float radius = shape_.fingertip_radius_m + gap_m;
     posture.index_tip = {goal.x(), goal.y(), place_.scene.resting_height_m(goal.x(), goal.y(), radius)};
     if (place_.scene.normal(posture.index_tip).z() < 0.62F) return std::nullopt;
@@ -107,10 +117,14 @@ std::optional<HandPosture> GesturePlanner::move_on(Gesture gesture, const HandPo
 }
 
 bool GesturePlanner::is_possible(const Motion& motion, const Vec3& shoulder_s) const {
+    return is_possible(motion, shoulder_s, 0.03) && is_possible(motion, shoulder_s, 0.005);
+}
+
+bool GesturePlanner::is_possible(const Motion& motion, const Vec3& shoulder_s, double step_s) const {
     const bool trace = motion.kind == Motion::Kind::trace;
     const double length_s = motion.end_s - motion.start_s;
     const int samples =
-        motion.kind == Motion::Kind::rest ? 1 : std::max(4, static_cast<int>(length_s / 0.015));
+        motion.kind == Motion::Kind::rest ? 1 : std::max(4, static_cast<int>(length_s / step_s));
     Vec3 before = motion.from.index_tip;
     for (int i = 0; i <= samples; ++i) {
         const double time_s = motion.start_s + length_s * i / samples;
@@ -134,7 +148,7 @@ std::vector<Motion> GesturePlanner::glide(const HandPosture& from, const HandPos
     for (const float arch_m : {0.0F, 0.04F, 0.09F, 0.15F, 0.22F}) {
         Motion motion{Motion::Kind::glide,
                       start_s,
-                      start_s + 0.24 + 0.55 * static_cast<double>(far_m + arch_m),
+                      start_s + 0.24 + 0.85 * static_cast<double>(far_m + arch_m),
                       from,
                       to,
                       arch_m,

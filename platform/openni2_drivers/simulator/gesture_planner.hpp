@@ -31,6 +31,7 @@ class GesturePlanner {
                                        Random& random) const;
     bool can_rest(const HandPosture& posture, const Vec3& shoulder_s, bool thumb_touches) const;
     bool is_possible(const Motion& motion, const Vec3& shoulder_s) const;
+    bool is_possible(const Motion& motion, const Vec3& shoulder_s, double step_s) const;
     std::vector<Motion> contact(Gesture gesture, const HandPosture& at, const HandPosture& over,
                                 double start_s, Random& random) const;
     double contact_s(Random& random) const;

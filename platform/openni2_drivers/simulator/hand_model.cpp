@@ -98,7 +98,7 @@ constexpr std::array<FingerSize, 3> other_fingers{{{4.0F, 20.0F, 2.0F, {44.0F, 2
 /// touching.
 void add_other_fingers(Hand& hand, const HandShape& shape, const HandPosture& posture, const Palm& palm) {
     constexpr std::array<float, 3> stretched{-10.0F, 10.0F, 8.0F};
-    constexpr std::array<float, 3> curled{42.0F, 90.0F, 55.0F};
+    constexpr std::array<float, 3> curled{55.0F, 105.0F, 60.0F};
     for (const FingerSize& size : other_fingers) {
         const float spread = shape.side * -0.08F * (size.outer_mm - 20.0F) / 20.0F * (1.0F - posture.curl);
         Vec3 from = palm.at(size.forward_mm, size.outer_mm, size.up_mm);

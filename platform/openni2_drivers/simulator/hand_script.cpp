@@ -27,6 +27,9 @@ Edge draw_edge(const Workplace& place, Random& random) {
                                             : random.uniform(410.0F, 550.0F);
         return {place.view.on_table(u, 479.0F), -Vec3::UnitY()};
     }
+    // The far edge is a person's place only where it is as near as that.
+    const Edge far{place.view.on_table(random.uniform(200.0F, 440.0F), 0.0F), Vec3::UnitY()};
+    if (place.half == 0.0F && draw > 0.88F && far.at_table_s.y() < 1.0F) return far;
     const bool left = place.half < 0.0F || (place.half == 0.0F && random.chance(0.5F));
     return {place.view.on_table(left ? 0.0F : 639.0F, random.uniform(190.0F, 400.0F)),
             (left ? -1.0F : 1.0F) * Vec3::UnitX()};
@@ -89,6 +92,7 @@ void HandScript::start_visit() {
 
 void HandScript::leave() {
     std::vector<Motion> way = planner_.glide(last_, outside_, planned_until_s_, shoulder_s_);
+    if (way.empty()) way = leave_over_the_top();
     const double left_s = way.empty() ? planned_until_s_ : way.back().end_s;
     if (!way.empty()) append(std::move(way));
     const double pause_s = random_.uniform(0.6F, 2.5F);
@@ -98,6 +102,18 @@ void HandScript::leave() {
          true});
     planned_until_s_ = left_s + pause_s;
     here_ = false;
+}
+
+std::vector<Motion> HandScript::leave_over_the_top() const {
+    HandPosture above = last_;
+    above.index_tip.z() += 0.18F;
+    above.thumb_tip.z() += 0.18F;
+    std::vector<Motion> way = planner_.glide(last_, above, planned_until_s_, shoulder_s_);
+    if (way.empty()) return {};
+    const std::vector<Motion> rest = planner_.glide(above, outside_, way.back().end_s, shoulder_s_);
+    if (rest.empty()) return {};
+    way.push_back(rest.front());
+    return way;
 }
 
 void HandScript::append(std::vector<Motion> motions) {

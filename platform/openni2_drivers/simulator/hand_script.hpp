@@ -29,6 +29,7 @@ class HandScript {
     void extend();
     void start_visit();
     void leave();
+    std::vector<Motion> leave_over_the_top() const;
     void append(std::vector<Motion> motions);
 
     struct Step {

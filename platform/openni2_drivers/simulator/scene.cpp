@@ -9,8 +9,8 @@ namespace {
 using Vec2 = Eigen::Vector2f;
 
 Vec2 turned(const Shape& shape, const Vec3& offset) {
-    const float c = std::cos(shape.yaw_rad);
-    const float s = std::sin(shape.yaw_rad);
+    const float c = shape.along.x();
+    const float s = shape.along.y();
     return {c * offset.x() + s * offset.y(), -s * offset.x() + c * offset.y()};
 }
 
@@ -76,9 +76,25 @@ float Shape::distance(const Vec3& p_s) const {
     return 1e9F;
 }
 
+float Shape::distance_bound(const Vec3& p_s) const {
+    switch (kind) {
+        case Kind::box:
+            return (p_s - center).norm() - half.norm();
+        case Kind::can:
+            return (p_s - center).norm() - std::hypot(half.x(), half.z());
+        case Kind::ridge:
+            return p_s.z() - depth_m;
+        case Kind::ball:
+        case Kind::bowl:
+            break;
+    }
+    return (p_s - center).norm() - radius_m - thickness_m;
+}
+
 float Scene::distance(const Vec3& p_s) const {
     float nearest = p_s.z();
-    for (const Shape& shape : shapes_) nearest = std::min(nearest, shape.distance(p_s));
+    for (const Shape& shape : shapes_)
+        if (shape.distance_bound(p_s) < nearest) nearest = std::min(nearest, shape.distance(p_s));
     return nearest;
 }
 

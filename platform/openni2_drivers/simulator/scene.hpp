@@ -15,8 +15,8 @@ struct Shape {
     Kind kind = Kind::box;
     Vec3 center =
         Vec3::Zero();  ///< box, ball, can: the middle; bowl: the ball's middle; ridge: on the axis, z = 0
-    Vec3 half = Vec3::Zero();  ///< box: half sides; can: (radius, -, half height)
-    float yaw_rad = 0.0F;      ///< box: of x; ridge: of its axis
+    Vec3 half = Vec3::Zero();           ///< box: half sides; can: (radius, -, half height)
+    Eigen::Vector2f along{1.0F, 0.0F};  ///< on the table: of the box's x, of the ridge's axis
     float radius_m =
         0.0F;  ///< ball; bowl: the wall's middle; ridge: the convex arc; box, can: the edges' rounding
     float depth_m = 0.0F;      ///< bowl: from rim to bottom; ridge: height over the table
@@ -25,6 +25,8 @@ struct Shape {
 
     /// Signed distance; exact outside.
     float distance(const Vec3& p_s) const;
+    /// At most the distance; cheap.
+    float distance_bound(const Vec3& p_s) const;
 };
 
 /// The static world: the table and the things on it.

@@ -8,6 +8,8 @@
 namespace touchstone::sim {
 namespace {
 
+Eigen::Vector2f direction(float yaw_rad) { return {std::cos(yaw_rad), std::sin(yaw_rad)}; }
+
 /// Scatters things over a part of the table; they keep apart from each other.
 class Layout {
   public:
@@ -18,7 +20,7 @@ class Layout {
         Shape ridge;
         ridge.kind = Shape::Kind::ridge;
         ridge.center = {x_m, 0.0F, 0.0F};
-        ridge.yaw_rad = radians(90.0F + random_.uniform(-15.0F, 15.0F));
+        ridge.along = direction(radians(90.0F + random_.uniform(-15.0F, 15.0F)));
         ridge.radius_m = 0.16F;
         ridge.depth_m = height_m;
         ridge.thickness_m = 0.12F;
@@ -57,20 +59,20 @@ class Layout {
     std::vector<Shape> shapes;
 
   private:
-    Vec3 any_color() {
+    Vec3 color_of(int number) const {
         constexpr std::array<std::array<float, 3>, 6> colors{{{0.75F, 0.25F, 0.2F},
                                                               {0.2F, 0.4F, 0.7F},
                                                               {0.85F, 0.75F, 0.3F},
                                                               {0.25F, 0.55F, 0.35F},
                                                               {0.8F, 0.8F, 0.78F},
                                                               {0.3F, 0.3F, 0.33F}}};
-        return Vec3(colors[static_cast<std::size_t>(random_.below(6))].data());
+        return Vec3(colors[static_cast<std::size_t>(number + first_color_) % colors.size()].data());
     }
 
     /// Boxes, balls, and now and then a can or a book, standing on the table.
     Shape any_object(int number) {
         Shape shape;
-        shape.albedo = any_color();
+        shape.albedo = color_of(number);
         if (number % 4 == 1) {
             shape.kind = Shape::Kind::ball;
             shape.radius_m = random_.uniform(0.022F, 0.055F);
@@ -87,7 +89,7 @@ class Layout {
                               : Vec3(random_.uniform(0.025F, 0.07F), random_.uniform(0.025F, 0.08F),
                                      random_.uniform(0.015F, 0.05F));
             shape.radius_m = 0.002F;
-            shape.yaw_rad = random_.uniform(-1.5F, 1.5F);
+            shape.along = direction(random_.uniform(-1.5F, 1.5F));
         }
         shape.center.z() = shape.half.z();
         return shape;
@@ -106,6 +108,7 @@ class Layout {
     }
 
     Random random_;
+    int first_color_ = random_.below(6);
     float left_m_, right_m_, depth_m_;
     std::vector<Vec3> taken_;  ///< x, y, reach
 };

@@ -1,24 +1,25 @@
 #include "platform/openni2_drivers/simulator/workplace.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace touchstone::sim {
 namespace {
 
 bool is_part_clear(const HandPart& part, const Workplace& place) {
-    constexpr int steps = 4;
+    constexpr float spacing_m = 0.01F;
+    const int steps = std::max(4, static_cast<int>((part.cone.b - part.cone.a).norm() / spacing_m));
     constexpr float margin_m = 0.004F;  // of the halves
     for (int i = 0; i <= steps; ++i) {
-        const float share = static_cast<float>(i) / steps;
+        const float share = static_cast<float>(i) / static_cast<float>(steps);
         const Vec3 middle = part.cone.a + share * (part.cone.b - part.cone.a);
         const float radius = part.cone.radius_a + share * (part.cone.radius_b - part.cone.radius_a);
         if (place.half * middle.x() < 0.0F ||
             (place.half != 0.0F && std::abs(middle.x()) < radius + margin_m))
             return false;
-        const float needed = !part.touches ? part.clearance_m
-                             : i == 0      ? -2e-5F
-                             : i == 1      ? 0.0F
-                                           : part.clearance_m;
+        float needed = part.clearance_m;
+        if (part.touches && i == 0) needed = -2e-5F;
+        if (part.touches && i == 1) needed = 0.0F;
         if (gap_m(place.scene, middle, radius) < needed) return false;
     }
     return true;
@@ -41,6 +42,8 @@ bool is_tip_visible(const Hand& hand, std::size_t part, const Workplace& place) 
                          direction_s);
     };
     const float seen = seen_from_camera(hand.parts[part].cone);
+    // A finger that points along the ray hides its own tip.
+    if (seen < (tip_s - view.camera_s).norm() - 2.5F * hand.parts[part].cone.radius_a) return false;
     for (std::size_t i = 0; i < hand.parts.size(); ++i) {
         const float t = seen_from_camera(hand.parts[i].cone);
         if (i != part && t > 0.0F && t < seen) return false;

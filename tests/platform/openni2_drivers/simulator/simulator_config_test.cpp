@@ -1,0 +1,84 @@
+#include "platform/openni2_drivers/simulator/simulator_config.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "platform/system/error.hpp"
+
+namespace touchstone {
+namespace {
+
+/// The message that refuses the URI; empty when it is taken.
+std::string refusal(const char* uri) {
+    try {
+        parse_simulator_uri(uri);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::usage);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(SimulatorConfig, TheSceneAloneGivesTheDefaults) {
+    const SimulatorConfig config = parse_simulator_uri("bowl");
+    EXPECT_EQ(config.scene, SimulatedScene::bowl);
+    EXPECT_EQ(config.hands, 1);
+    EXPECT_EQ(config.frames, 0);
+    EXPECT_TRUE(config.noise);
+    EXPECT_TRUE(config.drift);
+    EXPECT_TRUE(config.human_timing);
+    EXPECT_DOUBLE_EQ(config.height_m, 1.0);
+    EXPECT_DOUBLE_EQ(config.tilt_deg, 25.0);
+    EXPECT_DOUBLE_EQ(config.empty_s, 2.5);
+}
+
+TEST(SimulatorConfig, NoSceneIsTheMixedOne) {
+    EXPECT_EQ(parse_simulator_uri("").scene, SimulatedScene::mixed);
+}
+
+TEST(SimulatorConfig, ReadsEveryKey) {
+    const SimulatorConfig config = parse_simulator_uri(
+        "curved?seed=7&hands=2&frames=90&noise=1&drift=0&human=0&truth=/tmp/t.json&masks=/tmp/"
+        "m&height=0.8&tilt=0&"
+        "empty=0.5&rate=60");
+    EXPECT_EQ(config.scene, SimulatedScene::curved);
+    EXPECT_EQ(config.seed, 7U);
+    EXPECT_EQ(config.hands, 2);
+    EXPECT_EQ(config.frames, 90);
+    EXPECT_TRUE(config.noise);
+    EXPECT_FALSE(config.drift);
+    EXPECT_FALSE(config.human_timing);
+    EXPECT_EQ(config.truth_path, "/tmp/t.json");
+    EXPECT_EQ(config.masks_folder, "/tmp/m");
+    EXPECT_DOUBLE_EQ(config.height_m, 0.8);
+    EXPECT_DOUBLE_EQ(config.tilt_deg, 0.0);
+    EXPECT_DOUBLE_EQ(config.empty_s, 0.5);
+    EXPECT_DOUBLE_EQ(config.rate_hz, 60.0);
+}
+
+TEST(SimulatorConfig, DriftFollowsNoiseWhateverTheOrder) {
+    EXPECT_FALSE(parse_simulator_uri("flat?noise=0").drift);
+    EXPECT_TRUE(parse_simulator_uri("flat?drift=1&noise=0").drift);
+}
+
+TEST(SimulatorConfig, RefusalsNameTheKeyAndTheRange) {
+    using testing::AllOf;
+    using testing::HasSubstr;
+    EXPECT_THAT(refusal("moon"),
+                AllOf(HasSubstr("moon"), HasSubstr("flat, curved, cluttered, bowl or mixed")));
+    EXPECT_THAT(refusal("flat?fingers=2"), AllOf(HasSubstr("fingers"), HasSubstr("seed, hands, frames")));
+    EXPECT_THAT(refusal("flat?hands=3"), AllOf(HasSubstr("hands"), HasSubstr("0 to 2"), HasSubstr("'3'")));
+    EXPECT_THAT(refusal("flat?height=0.2"), AllOf(HasSubstr("height"), HasSubstr("0.5 to 1.6")));
+    EXPECT_THAT(refusal("flat?height=nan"), HasSubstr("height"));
+    EXPECT_THAT(refusal("flat?tilt=46"), AllOf(HasSubstr("tilt"), HasSubstr("0 to 45")));
+    EXPECT_THAT(refusal("flat?noise=yes"), AllOf(HasSubstr("noise"), HasSubstr("0 or 1")));
+    EXPECT_THAT(refusal("flat?seed=-1"), HasSubstr("seed"));
+    EXPECT_THAT(refusal("flat?seed=1x"), HasSubstr("seed"));
+    EXPECT_THAT(refusal("flat?frames="), HasSubstr("frames"));
+    EXPECT_THAT(refusal("flat?truth="), HasSubstr("truth"));
+    EXPECT_THAT(refusal("flat?seed"), HasSubstr("key=value"));
+    EXPECT_EQ(refusal("flat?seed=3&rate=120"), "");
+}
+
+}  // namespace
+}  // namespace touchstone
