@@ -84,11 +84,28 @@ enum RejectionCode {
 /* Two depths agree when 1/z differs by less than so many sigmas; sigma^2 = (sigma_z / z^2)^2 + quantisation^2. */
 typedef struct AssociationParams {
     SensorNoise noise;
-    float quantisation_per_m;    /* standard deviation of 1/z by rounding to steps of disparity, 1/m */
-    float sigmas_high;           /* in front: surely */
-    float sigmas_low;            /* in front: where a sure pixel is connected to it */
-    float min_normal_cos;        /* -1: the normals of the live picture are not compared */
+    float quantisation_per_m; /* standard deviation of 1/z by rounding to steps of disparity, 1/m */
+    float sigmas_high;        /* in front: surely */
+    float sigmas_low;         /* in front: where a sure pixel is connected to it */
+    float min_normal_cos;     /* -1: the normals of the live picture are not compared */
 } AssociationParams;
+
+/* From codes to candidates. Tolerances as in AssociationParams, for a surface that faces the camera. */
+typedef struct CandidateParams {
+    SensorNoise noise;
+    float quantisation_per_m, sigmas_high;
+    float jump_per_m;      /* the model has an edge where its depth changes by more than this times the depth */
+    float unknown_depth_m; /* how far away the surface is taken to be where nothing was ever seen */
+} CandidateParams;
+
+/* Histograms of what live 1/z exceeds the model's by, per column and zone of rows: DRIFT_BINS bins of bin_per_m around 0;
+ * rows first_row, first_row + row_step, ... */
+#define DRIFT_BINS 16
+#define DRIFT_ZONES 4
+typedef struct DriftParams {
+    float bin_per_m;
+    int first_row, row_step, reserved;
+} DriftParams;
 
 /* Pixels given to connected components: 0 is none of them; the others are counted apart. */
 enum ComponentMember { MEMBER_NONE = 0, MEMBER_GROWTH = 1, MEMBER_SEED = 2, MEMBER_UNKNOWN = 3 };

@@ -1,0 +1,84 @@
+#include "app/config.hpp"
+
+namespace touchstone {
+
+namespace {
+
+/// Collects keys under one section after the other.
+class KeyList {
+  public:
+    void section(std::string name) { section_ = std::move(name); }
+    void add(std::string name, bool& value, std::string meaning) {
+        push(std::move(name), &value, 0, 0, std::move(meaning));
+    }
+    void add(std::string name, std::string& value, std::string meaning) {
+        push(std::move(name), &value, 0, 0, std::move(meaning));
+    }
+    template <class Number>
+    void add(std::string name, Number& value, double min, double max, std::string meaning) {
+        push(std::move(name), &value, min, max, std::move(meaning));
+    }
+    std::vector<ConfigKey> take() { return std::move(keys_); }
+
+  private:
+    void push(std::string name, ConfigKey::Value value, double min, double max, std::string meaning) {
+        keys_.push_back({section_, std::move(name), value, min, max, std::move(meaning)});
+    }
+
+    std::string section_;
+    std::vector<ConfigKey> keys_;
+};
+
+void add_volume_keys(KeyList& keys, InteractionConfig& interaction) {
+    BackgroundConfig& background = interaction.background;
+    keys.section("volume");
+    keys.add("size_vox", background.volume.size_vox, 64, 1024,
+             "voxels along a side of the cube, a multiple of 8");
+    keys.add("fit_side", background.fit_side, "side and place from what the first frame sees, 1 to 5 m");
+    keys.add("side_m", background.volume.side_m, 0.2, 10, "side of the cube where it is not fitted");
+    keys.add("max_depth_m", background.max_volume_depth_m, 0.5, 8,
+             "what is farther away does not widen the fitted cube");
+    keys.add("max_weight", background.volume.max_weight, 1, 255, "frames that the running average remembers");
+    keys.add("max_bricks", background.volume.max_bricks, 64, 1048576, "limit of the pool, 2 KiB each");
+    keys.section("scan");
+    keys.add("frames", interaction.scan_frames, 1, 1000, "frames until a still scene is live");
+}
+
+void add_sensor_keys(KeyList& keys, Config& config) {
+    DepthMapConversionConfig& conversion = config.interaction.conversion;
+    keys.section("sensor");
+    keys.add("uri", config.sensor_uri, "sensor URI; empty: the attached camera");
+    keys.add("min_depth_m", conversion.min_depth_m, 0.1, 5, "nearer readings are invalid");
+    keys.add("max_depth_m", conversion.max_depth_m, 0.5, 10, "farther readings are invalid");
+    keys.section("noise");
+    keys.add("constant_m", config.interaction.noise.constant_m, 0, 0.1,
+             "sigma_z = constant + quadratic (z - offset)^2 + ...");
+    keys.add("quadratic", config.interaction.noise.quadratic, 0, 0.1, "1/m");
+    keys.add("offset_m", config.interaction.noise.offset_m, 0, 5, "");
+    keys.add("grazing", config.interaction.noise.grazing, 0, 0.1,
+             "grazing / sqrt(z) (theta / (pi/2 - theta))^2");
+}
+
+}  // namespace
+
+std::vector<ConfigKey> config_keys(Config& config) {
+    KeyList keys;
+    add_sensor_keys(keys, config);
+    keys.section("compute");
+    keys.add("device", config.compute.choice, "auto, gpu, cpu, or a part of the OpenCL device's name");
+    add_volume_keys(keys, config.interaction);
+    keys.section("tuio");
+    keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
+    keys.add("host", config.tuio.host, "receiver");
+    keys.add("port", config.tuio.port, 1, 65535, "receiver");
+    keys.add("source", config.tuio.source, "name of this table; empty: touchstone@host");
+    keys.section("display");
+    keys.add("width_px", config.display.width_px, 160, 7680, "");
+    keys.add("height_px", config.display.height_px, 120, 4320, "");
+    keys.add("scene", config.display.scene, "what the table shows");
+    keys.section("log");
+    keys.add("level", config.log_level, "debug, info, warning or error");
+    return keys.take();
+}
+
+}  // namespace touchstone

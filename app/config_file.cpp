@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <toml++/toml.h>
+
+#include "app/config.hpp"
+#include "platform/system/error.hpp"
+
+namespace touchstone {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, const toml::source_region& where, const std::string& what) {
+    throw Error(ExitStatus::configuration, file + ":" + std::to_string(where.begin.line) + ": " + what);
+}
+
+std::string plain_number(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+std::string full_name(const ConfigKey& key) { return key.section + "." + key.name; }
+
+std::string allowed(const ConfigKey& key) {
+    if (std::holds_alternative<bool*>(key.value)) return full_name(key) + " is true or false";
+    if (std::holds_alternative<std::string*>(key.value)) return full_name(key) + " is a text in quotes";
+    const char* kind =
+        std::holds_alternative<int*>(key.value) ? " is a whole number from " : " is a number from ";
+    return full_name(key) + kind + plain_number(key.min) + " to " + plain_number(key.max);
+}
+
+/// False where the node is of another kind or out of range.
+bool take(const toml::node& node, const ConfigKey& key) {
+    const auto in_range = [&](double value) { return value >= key.min && value <= key.max; };
+    if (bool* const* flag = std::get_if<bool*>(&key.value)) {
+        const auto value = node.value_exact<bool>();
+        if (value) **flag = *value;
+        return value.has_value();
+    }
+    if (std::string* const* text = std::get_if<std::string*>(&key.value)) {
+        const auto value = node.value_exact<std::string>();
+        if (value) **text = *value;
+        return value.has_value();
+    }
+    if (int* const* whole = std::get_if<int*>(&key.value)) {
+        const auto value = node.value_exact<std::int64_t>();
+        if (!value || !in_range(static_cast<double>(*value))) return false;
+        **whole = static_cast<int>(*value);
+        return true;
+    }
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value) || !in_range(*value)) return false;
+    *std::get<float*>(key.value) = static_cast<float>(*value);
+    return true;
+}
+
+void take_section(const std::string& section, const toml::table& table, const std::string& file,
+                  const std::vector<ConfigKey>& keys) {
+    for (const auto& [name, node] : table) {
+        const ConfigKey* match = nullptr;
+        std::string known;
+        for (const ConfigKey& key : keys) {
+            if (key.section != section) continue;
+            known += (known.empty() ? "" : ", ") + key.name;
+            if (key.name == name.str()) match = &key;
+        }
+        if (match == nullptr) {
+            refuse(file, node.source(),
+                   "unknown key " + section + "." + std::string(name.str()) + "; [" + section +
+                       "] knows: " + known);
+        }
+        if (!take(node, *match)) refuse(file, node.source(), allowed(*match));
+    }
+}
+
+std::string known_sections(const std::vector<ConfigKey>& keys) {
+    std::string names, last;
+    for (const ConfigKey& key : keys) {
+        if (key.section == last) continue;
+        last = key.section;
+        names += (names.empty() ? "" : ", ") + last;
+    }
+    return names;
+}
+
+std::string value_text(const ConfigKey& key) {
+    std::ostringstream text;
+    if (bool* const* flag = std::get_if<bool*>(&key.value)) text << (**flag ? "true" : "false");
+    if (int* const* whole = std::get_if<int*>(&key.value)) text << **whole;
+    if (std::string* const* words = std::get_if<std::string*>(&key.value)) {
+        text << toml::value<std::string>(**words);
+    }
+    if (float* const* number = std::get_if<float*>(&key.value)) {
+        std::string digits = fmt::format("{}", **number);
+        if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
+        text << digits;
+    }
+    return text.str();
+}
+
+}  // namespace
+
+void parse_config(const std::string& text, const std::string& file, Config& config) {
+    toml::table root;
+    try {
+        root = toml::parse(text, file);
+    } catch (const toml::parse_error& error) {
+        refuse(file, error.source(), std::string(error.description()));
+    }
+    const std::vector<ConfigKey> keys = config_keys(config);
+    for (const auto& [name, node] : root) {
+        const std::string section(name.str());
+        const bool known =
+            std::ranges::any_of(keys, [&](const ConfigKey& key) { return key.section == section; });
+        if (!known || !node.is_table()) {
+            refuse(file, node.source(), "unknown section " + section + "; there is: " + known_sections(keys));
+        }
+        take_section(section, *node.as_table(), file, keys);
+    }
+}
+
+void load_config(const std::string& file, Config& config) {
+    std::ifstream stream(file);
+    if (!stream) throw Error(ExitStatus::no_input, "configuration file " + file + " cannot be opened");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    parse_config(text.str(), file, config);
+}
+
+std::string print_config(Config config) {
+    std::string text, section;
+    for (const ConfigKey& key : config_keys(config)) {
+        if (key.section != section) text += (section.empty() ? "[" : "\n[") + key.section + "]\n";
+        section = key.section;
+        std::string note = key.meaning;
+        if (key.min < key.max)
+            note += (note.empty() ? "" : "; ") + plain_number(key.min) + " to " + plain_number(key.max);
+        text += key.name + " = " + value_text(key) + (note.empty() ? "" : "  # " + note) + "\n";
+    }
+    return text;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,30 @@
+#include <cstdio>
+#include <exception>
+
+#include "app/command_line.hpp"
+#include "app/run_command.hpp"
+#include "platform/system/error.hpp"
+
+namespace {
+
+touchstone::ExitStatus execute(const touchstone::Command& command) {
+    if (const auto* printed = std::get_if<touchstone::PrintedText>(&command)) {
+        std::fputs(printed->text.c_str(), stdout);
+        return touchstone::ExitStatus::ok;
+    }
+    return touchstone::run_command(std::get<touchstone::RunOptions>(command));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return static_cast<int>(execute(touchstone::parse_command_line(argc, argv)));
+    } catch (const touchstone::Error& error) {
+        std::fprintf(stderr, "touchstone: %s\n", error.what());
+        return static_cast<int>(error.status());
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "touchstone: unexpected: %s\n", error.what());
+        return static_cast<int>(touchstone::ExitStatus::unavailable);
+    }
+}

@@ -1,0 +1,152 @@
+#include "app/perception.hpp"
+
+#include <thread>
+
+#include "app/reports.hpp"
+#include "pipeline/self_test.hpp"
+#include "platform/output/event_log.hpp"
+#include "platform/output/tuio_sink.hpp"
+#include "platform/system/log.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr int read_timeout_ms = 100;
+constexpr std::chrono::milliseconds retry_interval{500};
+
+std::vector<std::unique_ptr<TouchSink>> make_sinks(const RunOptions& options) {
+    std::vector<std::unique_ptr<TouchSink>> sinks;
+    if (options.events_file) sinks.push_back(std::make_unique<EventLog>(*options.events_file));
+    if (options.config.tuio_enabled) sinks.push_back(std::make_unique<TuioSink>(options.config.tuio));
+    return sinks;
+}
+
+DeviceConfig device_config(const RunOptions& options) {
+    DeviceConfig config = options.config.compute;
+    config.cache_dir = default_cache_dir();
+    return config;
+}
+
+bool same_camera(const Intrinsics& a, const Intrinsics& b) {
+    return a.width_px == b.width_px && a.height_px == b.height_px && a.fx_px == b.fx_px &&
+           a.fy_px == b.fy_px && a.cx_px == b.cx_px && a.cy_px == b.cy_px;
+}
+
+}  // namespace
+
+Perception::Perception(const RunOptions& options)
+    : options_(options), device_(device_config(options)), sinks_(make_sinks(options)) {
+    if (options.maps_dir) maps_.emplace(*options.maps_dir);
+    run_self_test(device_);
+    log_info("computing on {}", device_.name());
+    const std::string& uri = options_.config.sensor_uri;
+    if (uri.empty()) return;
+    camera_ = DepthCamera::open(uri, options_.pace);
+    log_info("reading {}", camera_->name());
+}
+
+Perception::~Perception() {
+    if (!pipeline_) return;
+    for (const StageSummary& stage : pipeline_->stage_times().summary()) {
+        log_debug("{}: median {:.2f} ms, 99 % {:.2f} ms", stage.stage, stage.median_ms, stage.p99_ms);
+    }
+}
+
+std::optional<TableFrame> Perception::step() {
+    if (options_.frames && frames_done_ >= *options_.frames) return std::nullopt;
+    if (!camera_) return wait_for_camera();
+    ReadResult result = camera_->read(read_timeout_ms);
+    if (std::holds_alternative<StreamEnd>(result)) return std::nullopt;
+    if (const auto* frame = std::get_if<DepthFrame>(&result)) return process(*frame);
+    if (const auto* lost = std::get_if<CameraLost>(&result)) {
+        if (!camera_->is_device())
+            throw Error(ExitStatus::unavailable, camera_->name() + ": " + lost->reason);
+        log_warning("{}: {}", camera_->name(), lost->reason);
+        camera_.reset();
+        for (const auto& sink : sinks_) sink->release_all();
+        return without_frame("sensor_lost", "The depth camera is gone: " + lost->reason);
+    }
+    for (const auto& sink : sinks_) sink->idle();
+    return last_shown_.state.empty() ? without_frame("starting", "") : last_shown_;
+}
+
+std::optional<TableFrame> Perception::wait_for_camera() {
+    try {
+        camera_ = DepthCamera::open(options_.config.sensor_uri, options_.pace);
+        log_info("reading {}", camera_->name());
+    } catch (const Error& error) {
+        if (error.status() != ExitStatus::unavailable) throw;
+        if (last_shown_.note.empty()) log_warning("{}; waiting for one to be plugged in", error.what());
+        for (const auto& sink : sinks_) sink->idle();
+        std::this_thread::sleep_for(retry_interval);
+        const std::string state = pipeline_ ? "sensor_lost" : "starting";
+        return without_frame(state, "Waiting for a depth camera to be plugged in");
+    }
+    return without_frame(pipeline_ ? "sensor_lost" : "starting", "");
+}
+
+TableFrame Perception::without_frame(const std::string& state, const std::string& note) {
+    last_shown_.state = state;
+    last_shown_.note = note;
+    last_shown_.touches.clear();
+    last_shown_.hovers.clear();
+    return last_shown_;
+}
+
+TableFrame Perception::process(const DepthFrame& frame) {
+    const auto start = std::chrono::steady_clock::now();
+    if (!pipeline_ || !same_camera(intrinsics_, frame.intrinsics)) {
+        intrinsics_ = frame.intrinsics;
+        pipeline_ = std::make_unique<InteractionPipeline>(device_, options_.config.interaction, intrinsics_);
+    }
+    const InteractionFrame result =
+        pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
+    publish(result, frame);
+    TableFrame shown;
+    shown.index = frame.index;
+    shown.timestamp_us = frame.timestamp_us;
+    shown.state = state_word(result.state);
+    shown.scan_progress = result.scan_progress;
+    shown.scan_frames_done = result.scan_frames_done;
+    shown.scan_frames_wanted = options_.config.interaction.scan_frames;
+    shown.note = result.note;
+    shown.view = std::make_shared<ShadedView>(pipeline_->view());
+    if (const auto& area = pipeline_->area()) {
+        shown.has_area = true;
+        shown.area_px = area_corners_px(*area, intrinsics_);
+    }
+    shown.touches = result.touches;
+    shown.hovers = result.hovers;
+    measure_rate(start);
+    shown.frame_rate_hz = rate_hz_;
+    shown.frame_ms = static_cast<float>(pipeline_->stage_times().summary("frame").median_ms);
+    ++frames_done_;
+    last_shown_ = shown;
+    last_shown_.touches.clear();
+    return shown;
+}
+
+void Perception::publish(const InteractionFrame& result, const DepthFrame& frame) {
+    const TouchReport report = make_report(result, frame.index, frame.timestamp_us);
+    for (const auto& sink : sinks_) sink->publish(report);
+    if (!maps_) return;
+    maps_->write_map(frame.index, "foreground", frame.width_px, frame.height_px, pipeline_->foreground_map());
+    maps_->write_map(frame.index, "touch", frame.width_px, frame.height_px, pipeline_->touch_map());
+}
+
+void Perception::measure_rate(std::chrono::steady_clock::time_point start) {
+    const std::chrono::duration<float> interval = start - last_frame_;
+    if (frames_done_ > 0 && interval.count() > 0.0f) {
+        rate_hz_ = rate_hz_ == 0.0f ? 1.0f / interval.count() : 0.9f * rate_hz_ + 0.1f / interval.count();
+    }
+    last_frame_ = start;
+}
+
+TableFrame merge_frames(TableFrame&& untaken, TableFrame&& newer) {
+    untaken.touches.insert(untaken.touches.end(), newer.touches.begin(), newer.touches.end());
+    newer.touches = std::move(untaken.touches);
+    return std::move(newer);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "app/frame_outputs.hpp"
+#include "pipeline/interaction_pipeline.hpp"
+#include "platform/camera/depth_camera.hpp"
+#include "platform/output/touch_sink.hpp"
+#include "ui/table_frame.hpp"
+
+namespace touchstone {
+
+/// The perception loop: camera frame -> pipeline -> touches -> sinks. Never waits for the screen.
+class Perception {
+  public:
+    /// Opens the compute device, the sensor (when one is named) and the sinks; throws Error.
+    explicit Perception(const RunOptions& options);
+    /// Says what the stages took, at log level debug.
+    ~Perception();
+
+    /// The next result: one processed frame, or word that there is no camera. Nothing once the source or the
+    /// wanted number of frames is at its end.
+    std::optional<TableFrame> step();
+    /// In step pace every frame must be shown before the next one.
+    bool in_lock_step() const { return camera_ && camera_->pace() == Pace::step; }
+
+  private:
+    std::optional<TableFrame> wait_for_camera();
+    TableFrame process(const DepthFrame& frame);
+    TableFrame without_frame(const std::string& state, const std::string& note);
+    void publish(const InteractionFrame& result, const DepthFrame& frame);
+    void measure_rate(std::chrono::steady_clock::time_point start);
+
+    RunOptions options_;
+    Device device_;
+    std::optional<DepthCamera> camera_;
+    std::unique_ptr<InteractionPipeline> pipeline_;
+    std::vector<std::unique_ptr<TouchSink>> sinks_;
+    std::optional<PictureFolder> maps_;
+    Intrinsics intrinsics_{};
+    std::chrono::steady_clock::time_point last_frame_{};
+    float rate_hz_ = 0.0f;
+    int frames_done_ = 0;
+    TableFrame last_shown_;
+};
+
+/// For the mailbox: the newer frame, with the touch events of the one that was never drawn put before its
+/// own.
+TableFrame merge_frames(TableFrame&& untaken, TableFrame&& newer);
+
+}  // namespace touchstone

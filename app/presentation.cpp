@@ -1,0 +1,43 @@
+#include "app/presentation.hpp"
+
+#include <cstdlib>
+
+#include "platform/display/headless_display.hpp"
+#include "platform/display/sdl_display.hpp"
+
+namespace touchstone {
+
+namespace {
+
+DisplayKind choose_kind(const RunOptions& options) {
+    if (options.display) return *options.display;
+    const bool desktop = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+    return desktop ? DisplayKind::window : DisplayKind::headless;
+}
+
+std::unique_ptr<Display> make_display(DisplayKind kind, const DisplayConfig& config) {
+    const PixelSize size{config.width_px, config.height_px};
+    return kind == DisplayKind::window ? make_sdl_display("Touchstone", size) : make_headless_display(size);
+}
+
+}  // namespace
+
+Presentation::Presentation(const RunOptions& options)
+    : kind_(choose_kind(options)),
+      display_(make_display(kind_, options.config.display)),
+      presenter_(*display_, options.config.display.scene),
+      last_shown_(std::chrono::steady_clock::now()) {
+    if (options.shots_dir) shots_.emplace(*options.shots_dir);
+}
+
+void Presentation::show(const TableFrame& frame) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<float> elapsed = now - last_shown_;
+    last_shown_ = now;
+    presenter_.present(frame, elapsed.count());
+    if (!shots_ || !frame.view || frame.index == last_shot_) return;
+    last_shot_ = frame.index;
+    shots_->write_shot(frame.index, display_->read_pixels());
+}
+
+}  // namespace touchstone

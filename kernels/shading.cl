@@ -1,0 +1,54 @@
+/* The table as the camera sees it (Fig 12c without meshes, Fig 14f): the background's raycast shaded, the moving foreground
+ * over it in another colour. Eight pixels a work-item; RGBA, alpha 0 on the foreground. */
+
+typedef struct Colour8 {
+    float8 r, g, b;
+} Colour8;
+
+inline Points8 load_normals8(__global const float* normals, const MapShape shape, const int at) {
+    const int plane = shape.pitch_px * shape.rows_px;
+    const Points8 n = {vload8(0, normals + at), vload8(0, normals + plane + at), vload8(0, normals + 2 * plane + at)};
+    return n;
+}
+
+/* Phong: ambient, diffuse and specular terms for a light that stands still in the camera frame. */
+inline Colour8 phong8(const Points8 n, const Points8 ray_c, const float4 base, const float4 light) {
+    const float8 diffuse = fmax(-(n.x * light.x + n.y * light.y + n.z * light.z), 0.0f);
+    const float8 facing = fmax(-dot8(n, ray_c) * rsqrt(dot8(ray_c, ray_c)), 0.0f);
+    float8 shine = facing * diffuse;
+    shine *= shine, shine *= shine, shine *= shine;
+    const float8 level = 0.30f + 0.45f * diffuse + 0.25f * facing;
+    const Colour8 c = {base.x * level + base.w * shine, base.y * level + base.w * shine, base.z * level + base.w * shine};
+    return c;
+}
+
+inline Colour8 choose8(const Colour8 otherwise, const Colour8 where_set, const int8 mask) {
+    const Colour8 c = {select(otherwise.r, where_set.r, mask), select(otherwise.g, where_set.g, mask),
+                       select(otherwise.b, where_set.b, mask)};
+    return c;
+}
+
+inline uint8 to_byte8(const float8 value) { return convert_uint8_rte(clamp(value, 0.0f, 1.0f) * 255.0f); }
+
+__kernel void shade_view(__global const float* background_m, __global const float* background_normals_c,
+                         __global const float* live_normals_c, __global const uchar* foreground,
+                         __global uint* rgba, const MapShape shape, const Intrinsics k, const ShadingParams params) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;
+    const Points8 ray_c = pixel_rays8(k, x, y);
+    const float8 depth_m = vload8(0, background_m + at);
+    const int8 moving = convert_int8(vload8(0, foreground + at)) != 0;
+    const Points8 n = load_normals8(background_normals_c, shape, at);
+    Colour8 colour = phong8(n, ray_c, params.background, params.light_c);
+    const Colour8 unknown = {(float8)(params.unknown.x), (float8)(params.unknown.y), (float8)(params.unknown.z)};
+    colour = choose8(unknown, colour, depth_m > 0.0f);
+    if (any(moving)) {
+        const Points8 live = load_normals8(live_normals_c, shape, at);
+        const Points8 towards_camera = {(float8)(0.0f), (float8)(0.0f), (float8)(-1.0f)};
+        const int8 has_normal = dot8(live, live) > 0.0f;
+        const Points8 shown = {select(towards_camera.x, live.x, has_normal), select(towards_camera.y, live.y, has_normal),
+                               select(towards_camera.z, live.z, has_normal)};
+        colour = choose8(colour, phong8(shown, ray_c, params.foreground, params.light_c), moving);
+    }
+    const uint8 alpha = select((uint8)(255u), (uint8)(0u), as_uint8(moving));
+    vstore8(to_byte8(colour.r) | (to_byte8(colour.g) << 8) | (to_byte8(colour.b) << 16) | (alpha << 24), 0, rgba + at);
+}

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "pipeline/maps.hpp"
+#include "pipeline/raycasting.hpp"
+#include "pipeline/tsdf_volume.hpp"
+#include "pipeline/types.hpp"
+#include "pipeline/volumetric_integration.hpp"
+
+namespace touchstone {
+
+struct BackgroundConfig {
+    VolumeConfig volume;
+    bool fit_side = true;  ///< side and place from what the first frame sees, 1 to 5 m; else volume.side_m
+    float max_volume_depth_m = 4.5f;  ///< what is farther away does not widen the fitted volume
+    int refresh_parts = 8;            ///< while live, each frame keeps up one of so many slices
+};
+
+/// Where the volume lies: its side and the camera's pose in it.
+struct VolumePlacement {
+    float side_m = 1.0f;
+    RigidTransform T_g_c = RigidTransform::Identity();
+};
+
+/// A cube parallel to the camera's axes around what a depth picture shows (0.5 to 99.5 % of the points on
+/// each axis), with 10 % to spare; nothing where fewer than 1000 pixels are valid. Side 1 to 5 m, the near
+/// part first where more is seen.
+std::optional<VolumePlacement> fit_volume(const DepthView& view, float max_depth_m);
+
+/// The fixed camera's surroundings (Fig 14a): the volume and its cached prediction.
+class BackgroundModel {
+  public:
+    BackgroundModel(const Device& device, const BackgroundConfig& config, const Intrinsics& intrinsics,
+                    const VolumePlacement& placement);
+
+    /// Fuses a whole frame and predicts the whole view: while scanning.
+    void scan(const Buffer<float>& depth_m);
+    /// Fuses one slice of a masked frame and refreshes what changed: while live.
+    void follow(const Buffer<float>& depth_m, const Buffer<std::uint8_t>& mask);
+
+    const TsdfVolume& volume() const { return volume_; }
+    const SurfacePrediction& prediction() const { return prediction_; }
+    const RigidTransform& T_g_c() const { return placement_.T_g_c; }
+
+  private:
+    BackgroundConfig config_;
+    VolumePlacement placement_;
+    TsdfVolume volume_;
+    VolumetricIntegration integration_;
+    Raycasting raycasting_;
+    SurfacePrediction prediction_;
+    Buffer<std::uint8_t> no_mask_;
+    int next_part_ = 0;
+};
+
+}  // namespace touchstone

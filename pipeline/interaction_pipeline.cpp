@@ -1,0 +1,137 @@
+#include "pipeline/interaction_pipeline.hpp"
+
+namespace touchstone {
+
+namespace {
+
+InteractionConfig with_shared_noise(InteractionConfig config) {
+    config.conversion.noise = config.noise;
+    config.segmentation.association.noise = config.noise;
+    config.segmentation.components.noise = config.noise;
+    config.touch.map.noise = config.noise;
+    return config;
+}
+
+std::vector<std::uint8_t> without_padding(const Buffer<std::uint8_t>& map, const MapShape& shape) {
+    std::vector<std::uint8_t> picture;
+    picture.reserve(static_cast<std::size_t>(shape.width_px) * static_cast<std::size_t>(shape.height_px));
+    const auto mapped = map.map_read();
+    for (int y = 0; y < shape.height_px; ++y) {
+        const auto row =
+            mapped.values().subspan(map_index(shape, 0, y), static_cast<std::size_t>(shape.width_px));
+        picture.insert(picture.end(), row.begin(), row.end());
+    }
+    return picture;
+}
+
+}  // namespace
+
+InteractionPipeline::InteractionPipeline(const Device& device, const InteractionConfig& config,
+                                         const Intrinsics& intrinsics)
+    : device_(&device),
+      config_(with_shared_noise(config)),
+      intrinsics_(intrinsics),
+      shape_(make_map_shape(intrinsics)),
+      conversion_(device, config_.conversion, intrinsics),
+      live_(device, shape_),
+      segmentation_(device, config_.segmentation, intrinsics),
+      drift_(device, config_.drift, intrinsics),
+      touch_(device, config_.touch, intrinsics),
+      rendering_(device, config_.rendering, intrinsics),
+      no_foreground_(device, map_pixels(shape_)),
+      foreground_mask_(&no_foreground_) {
+    no_foreground_.fill(0);
+}
+
+InteractionFrame InteractionPipeline::process(const DepthView& view, std::uint64_t timestamp_us) {
+    InteractionFrame frame;
+    {
+        const StageTimer whole(times_, "frame");
+        {
+            const StageTimer timer(times_, "depth map conversion");
+            conversion_.convert(view, live_);
+        }
+        if (!background_ && !place_volume(view))
+            frame.note = "The camera sees nothing between 0.3 and 6 m yet";
+        else if (scanned_frames_ < config_.scan_frames)
+            scan(frame);
+        else
+            interact(timestamp_us, frame);
+    }
+    times_.end_frame();
+    return frame;
+}
+
+bool InteractionPipeline::place_volume(const DepthView& view) {
+    std::optional<VolumePlacement> placement = fit_volume(view, config_.background.max_volume_depth_m);
+    if (!placement) return false;
+    if (!config_.background.fit_side) {
+        const float change_m = config_.background.volume.side_m - placement->side_m;
+        placement->T_g_c.translation().array() += 0.5f * change_m;
+        placement->side_m = config_.background.volume.side_m;
+    }
+    background_.emplace(*device_, config_.background, intrinsics_, *placement);
+    return true;
+}
+
+void InteractionPipeline::scan(InteractionFrame& frame) {
+    const StageTimer timer(times_, "background scan");
+    background_->scan(live_.depth_m);
+    segmentation_.learn(live_, background_->prediction());
+    device_->finish();
+    ++scanned_frames_;
+    frame.state = InteractionState::scanning;
+    frame.scan_frames_done = scanned_frames_;
+    frame.scan_progress = static_cast<float>(scanned_frames_) / static_cast<float>(config_.scan_frames);
+    if (scanned_frames_ < config_.scan_frames) return;
+    area_ = config_.fit_area ? fit_interactive_area(background_->prediction(), intrinsics_, config_.area_fit)
+                             : std::optional(config_.area);
+    if (!area_) area_ = whole_view_area(background_->prediction(), intrinsics_);
+}
+
+void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame& frame) {
+    frame.state = InteractionState::live;
+    frame.scan_progress = 1.0f;
+    frame.scan_frames_done = scanned_frames_;
+    const SurfacePrediction& background = background_->prediction();
+    const Foreground& foreground = [&]() -> const Foreground& {
+        const StageTimer timer(times_, "foreground segmentation");
+        return segmentation_.segment(live_, background);
+    }();
+    foreground_mask_ = &foreground.mask;
+    {
+        const StageTimer timer(times_, "touch detection");
+        std::vector<PixelRegion> regions;
+        for (const ForegroundComponent& component : foreground.components) {
+            const PixelBox& box = component.box;
+            regions.push_back({box.min_x_px, box.min_y_px, box.max_x_px + 1, box.max_y_px + 1});
+        }
+        TrackedTouches tracked =
+            touch_.detect({live_, background, foreground.mask, regions, *area_, timestamp_us});
+        frame.touches = std::move(tracked.touches);
+        frame.hovers = std::move(tracked.hovers);
+    }
+    {
+        const StageTimer timer(times_, "sensor drift");
+        conversion_.set_column_shift(drift_.update(live_, background, foreground));
+    }
+    const StageTimer timer(times_, "volumetric integration, raycast");
+    background_->follow(live_.depth_m, foreground.background_mask);
+    device_->finish();
+}
+
+ShadedView InteractionPipeline::view() {
+    if (!background_) return {};
+    return rendering_.render(background_->prediction(), live_, *foreground_mask_);
+}
+
+std::vector<std::uint8_t> InteractionPipeline::foreground_map() const {
+    return without_padding(*foreground_mask_, shape_);
+}
+
+std::vector<std::uint8_t> InteractionPipeline::touch_map() const {
+    const bool live = foreground_mask_ != &no_foreground_;
+    return without_padding(live ? touch_.touch_map().touch : no_foreground_, shape_);
+}
+
+}  // namespace touchstone

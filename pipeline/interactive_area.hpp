@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "pipeline/maps.hpp"
+#include "pipeline/types.hpp"
+
+namespace touchstone {
+
+struct InteractiveAreaConfig {
+    float plane_tolerance_m = 0.012f;  ///< of the dominant plane
+    float standing_height_m = 0.30f;   ///< things up to this height above the plane belong to the area
+    float cell_m = 0.02f;              ///< grid in which the largest filled rectangle is sought
+    float margin_m = 0.01f;            ///< taken off each side of it
+    float min_side_m = 0.10f;          ///< a smaller rectangle is none
+};
+
+/// A plane n . p = d of the camera frame, n facing the camera.
+struct Plane {
+    Eigen::Vector3f normal_c{0.f, 0.f, -1.f};
+    float offset_m = 0.0f;
+    float share = 0.0f;  ///< of the points given that lie on it
+};
+
+/// The plane with the most points (RANSAC with a fixed seed, then least squares); nothing under 15 % of them.
+std::optional<Plane> dominant_plane(const std::vector<Eigen::Vector3f>& points_c_m, float tolerance_m);
+
+/// The largest rectangle of the dominant plane that the scanned surface fills, sides along the picture's: u
+/// to the right, v downwards. Nothing where there is no plane or no such rectangle.
+std::optional<InteractiveArea> fit_interactive_area(const SurfacePrediction& background,
+                                                    const Intrinsics& intrinsics,
+                                                    const InteractiveAreaConfig& config);
+
+/// Where there is no plane: a rectangle that faces the camera and fills the view at the middle of what was
+/// scanned.
+InteractiveArea whole_view_area(const SurfacePrediction& background, const Intrinsics& intrinsics);
+
+/// Corners in the depth picture, around the area.
+std::array<Eigen::Vector2f, 4> area_corners_px(const InteractiveArea& area, const Intrinsics& intrinsics);
+
+}  // namespace touchstone

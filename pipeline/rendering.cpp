@@ -1,0 +1,32 @@
+#include "pipeline/rendering.hpp"
+
+#include <cstring>
+
+#include "pipeline/kernel_program.hpp"
+
+namespace touchstone {
+
+Rendering::Rendering(const Device& device, const RenderingConfig& config, const Intrinsics& intrinsics)
+    : config_(config),
+      intrinsics_(intrinsics),
+      shape_(make_map_shape(intrinsics)),
+      program_(load_kernel_program(device, "shading.cl")),
+      shade_view_(program_.kernel("shade_view")),
+      rgba_(device, map_pixels(shape_)) {}
+
+ShadedView Rendering::render(const SurfacePrediction& background, const LiveMaps& live,
+                             const Buffer<std::uint8_t>& foreground) {
+    shade_view_.launch(eight_pixels_each(shape_), background.depth_m, background.normals_c, live.normals_c,
+                       foreground, rgba_, shape_, intrinsics_, config_.shading);
+    ShadedView view{shape_.width_px, shape_.height_px, {}};
+    const std::size_t row_bytes = 4 * static_cast<std::size_t>(shape_.width_px);
+    view.rgba.resize(row_bytes * static_cast<std::size_t>(shape_.height_px));
+    const auto rgba = rgba_.map_read();
+    for (int y = 0; y < shape_.height_px; ++y) {
+        std::memcpy(view.rgba.data() + static_cast<std::size_t>(y) * row_bytes,
+                    &rgba[map_index(shape_, 0, y)], row_bytes);
+    }
+    return view;
+}
+
+}  // namespace touchstone
