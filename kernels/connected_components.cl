@@ -148,12 +148,13 @@ __kernel void sum_components(__global const uchar* members, __global const float
     if (s.root >= 0) add_sums(sums + places[s.root], s);
 }
 
-/* Roots become the numbers that the host gave to the places (-1: dropped); mask is 255 where there is a number. */
-__kernel void number_components(__global int* labels, __global const int* places, __global const int* numbers,
-                                __global uchar* mask, const MapShape shape) {
+/* Labels are the numbers that the host gave to the places (-1: dropped); mask is 255 where there is a number. */
+__kernel void number_components(__global const int* roots, __global const int* places, __global const int* numbers,
+                                __global int* labels, __global uchar* mask, const MapShape shape) {
     const int at = (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8;
-    const int8 root = vload8(0, labels + at);
+    const int8 root = vload8(0, roots + at);
     if (all(root < 0)) {
+        vstore8((int8)(-1), 0, labels + at);
         vstore8((uchar8)(0), 0, mask + at);
         return;
     }

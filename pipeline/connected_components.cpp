@@ -35,7 +35,7 @@ ConnectedComponents::ConnectedComponents(const Device& device, const ConnectedCo
       list_roots_(program_.kernel("list_roots")),
       sum_components_(program_.kernel("sum_components")),
       number_components_(program_.kernel("number_components")),
-      labels_(device, map_pixels(shape)),
+      roots_(device, map_pixels(shape)),
       places_(device, map_pixels(shape)),
       count_(device, 1),
       numbers_(device, 64),
@@ -45,12 +45,12 @@ const std::vector<Component>& ConnectedComponents::find(const Buffer<std::uint8_
                                                         const Buffer<float>& depth_m) {
     const LaunchSize size = eight_pixels_each(shape_);
     count_.fill(0);
-    label_runs_.launch(size, members, depth_m, labels_, shape_, params_);
-    merge_runs_.launch(size, members, depth_m, labels_, shape_, params_);
-    list_roots_.launch(size, labels_, places_, sums_, count_, shape_);
+    label_runs_.launch(size, members, depth_m, roots_, shape_, params_);
+    merge_runs_.launch(size, members, depth_m, roots_, shape_, params_);
+    list_roots_.launch(size, roots_, places_, sums_, count_, shape_);
     const LaunchSize halves{{static_cast<std::size_t>(shape_.pitch_px / 8),
                              static_cast<std::size_t>(shape_.rows_px / TILE_PX), 1}};
-    sum_components_.launch(halves, members, depth_m, labels_, places_, sums_, shape_);
+    sum_components_.launch(halves, members, depth_m, roots_, places_, sums_, shape_);
     read_components();
     return components_;
 }
@@ -65,14 +65,15 @@ void ConnectedComponents::read_components() {
     std::ranges::sort(components_, {}, &Component::first_pixel);
 }
 
-void ConnectedComponents::number(std::span<const int> number_of, Buffer<std::uint8_t>& mask) {
+void ConnectedComponents::number(std::span<const int> number_of, Buffer<int>& labels,
+                                 Buffer<std::uint8_t>& mask) {
     if (numbers_.size() < number_of.size()) numbers_ = Buffer<int>(*device_, 2 * number_of.size());
     {
         const auto numbers = numbers_.map_write();
         for (std::size_t i = 0; i < number_of.size(); ++i)
             numbers[static_cast<std::size_t>(components_[i].place)] = number_of[i];
     }
-    number_components_.launch(eight_pixels_each(shape_), labels_, places_, numbers_, mask, shape_);
+    number_components_.launch(eight_pixels_each(shape_), roots_, places_, numbers_, labels, mask, shape_);
 }
 
 }  // namespace touchstone

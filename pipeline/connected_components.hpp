@@ -39,11 +39,9 @@ class ConnectedComponents {
     /// there is a member. Waits for the device. Sorted by first_pixel; valid until the next call.
     const std::vector<Component>& find(const Buffer<std::uint8_t>& members, const Buffer<float>& depth_m);
 
-    /// Writes labels() and `mask` (255 where a number is): `number_of[i]` >= 0 for component i of the last
-    /// find(), -1 for one to drop. Once per find().
-    void number(std::span<const int> number_of, Buffer<std::uint8_t>& mask);
-    /// Number per pixel, -1 = none. Valid after number().
-    const Buffer<int>& labels() const { return labels_; }
+    /// Numbers the components of the last find(): component i gets `number_of[i]` >= 0, or -1 where it is to
+    /// be dropped. `labels` is the number per pixel, -1 = none; `mask` is 255 where there is a number.
+    void number(std::span<const int> number_of, Buffer<int>& labels, Buffer<std::uint8_t>& mask);
 
   private:
     void read_components();
@@ -53,7 +51,7 @@ class ConnectedComponents {
     ConnectionParams params_;
     Program program_;
     Kernel label_runs_, merge_runs_, list_roots_, sum_components_, number_components_;
-    Buffer<int> labels_, places_, count_, numbers_;
+    Buffer<int> roots_, places_, count_, numbers_;
     Buffer<ComponentSums> sums_;
     std::vector<Component> components_;
 };

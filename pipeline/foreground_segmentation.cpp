@@ -1,0 +1,112 @@
+#include "pipeline/foreground_segmentation.hpp"
+
+#include "pipeline/kernel_program.hpp"
+
+namespace touchstone {
+
+namespace {
+
+CandidateParams make_candidate_params(const ForegroundSegmentationConfig& config) {
+    const AssociationParams association = make_association_params(config.association);
+    return {association.noise, association.quantisation_per_m, association.sigmas_high,
+            config.edge_jump_per_m, config.unknown_depth_m};
+}
+
+LaunchSize half_tile_each(const MapShape& shape) {
+    return {
+        {static_cast<std::size_t>(shape.pitch_px / 8), static_cast<std::size_t>(shape.rows_px / TILE_PX), 1}};
+}
+
+}  // namespace
+
+Foreground::Foreground(const Device& device, const MapShape& map_shape)
+    : shape(map_shape),
+      rejection(device, map_pixels(map_shape)),
+      mask(device, map_pixels(map_shape)),
+      background_mask(device, map_pixels(map_shape)),
+      labels(device, map_pixels(map_shape)) {
+    mask.fill(0);
+    background_mask.fill(0);
+}
+
+ForegroundSegmentation::ForegroundSegmentation(const Device& device,
+                                               const ForegroundSegmentationConfig& config,
+                                               const Intrinsics& intrinsics)
+    : config_(config),
+      intrinsics_(intrinsics),
+      params_(make_candidate_params(config)),
+      association_(device, config.association, intrinsics),
+      components_(device, config.components, make_map_shape(intrinsics)),
+      program_(load_kernel_program(device, "foreground_segmentation.cl")),
+      mark_candidates_(program_.kernel("mark_candidates")),
+      keep_supported_seeds_(program_.kernel("keep_supported_seeds")),
+      widen_rows_(program_.kernel("widen_rows")),
+      mask_background_(program_.kernel("mask_background")),
+      foreground_(device, make_map_shape(intrinsics)),
+      candidates_(device, map_pixels(foreground_.shape)),
+      members_(device, map_pixels(foreground_.shape)),
+      wide_(device, map_pixels(foreground_.shape)),
+      held_(device, map_pixels(foreground_.shape)),
+      fallback_m_(device, map_pixels(foreground_.shape)) {
+    wide_.fill(0);
+    held_.fill(0);
+    fallback_m_.fill(0.0f);
+}
+
+void ForegroundSegmentation::learn(const LiveMaps& live, const SurfacePrediction& background) {
+    wide_.fill(0);
+    held_.fill(0);
+    mask_background_.launch(half_tile_each(foreground_.shape), wide_, live.filtered_m, background.depth_m,
+                            held_, foreground_.background_mask, fallback_m_, foreground_.shape,
+                            config_.widen_px, config_.hold_frames);
+}
+
+const Foreground& ForegroundSegmentation::segment(const LiveMaps& live, const SurfacePrediction& background) {
+    association_.associate(live, background, fallback_m_, RigidTransform::Identity(), foreground_.rejection);
+    mark_candidates(live, background);
+    select_components(components_.find(members_, live.filtered_m));
+    mask_background(live, background);
+    return foreground_;
+}
+
+void ForegroundSegmentation::mark_candidates(const LiveMaps& live, const SurfacePrediction& background) {
+    const LaunchSize size = eight_pixels_each(foreground_.shape);
+    mark_candidates_.launch(size, foreground_.rejection, live.filtered_m, background.depth_m, fallback_m_,
+                            candidates_, foreground_.shape, params_);
+    keep_supported_seeds_.launch(size, candidates_, members_, foreground_.shape);
+}
+
+void ForegroundSegmentation::select_components(const std::vector<Component>& found) {
+    foreground_.components.clear();
+    numbers_.clear();
+    for (const Component& component : found) {
+        if (!is_foreground(component)) {
+            numbers_.push_back(-1);
+            continue;
+        }
+        const int label = static_cast<int>(foreground_.components.size());
+        foreground_.components.push_back({label, component.pixels, component.box, component.mean_depth_m});
+        numbers_.push_back(label);
+    }
+    components_.number(numbers_, foreground_.labels, foreground_.mask);
+}
+
+bool ForegroundSegmentation::is_foreground(const Component& component) const {
+    const float pixel_m2 =
+        component.mean_depth_m * component.mean_depth_m / (intrinsics_.fx_px * intrinsics_.fy_px);
+    const auto area_m2 = [&](int pixels) { return static_cast<float>(pixels) * pixel_m2; };
+    if (area_m2(component.unknowns) >= config_.unknown_area_m2) return true;
+    const auto seeds = static_cast<float>(component.seeds);
+    return component.pixels >= config_.min_pixels && area_m2(component.pixels) >= config_.min_area_m2 &&
+           component.seeds > 0 && seeds >= config_.min_seed_share * static_cast<float>(component.pixels);
+}
+
+void ForegroundSegmentation::mask_background(const LiveMaps& live, const SurfacePrediction& background) {
+    widen_rows_.launch(eight_pixels_each(foreground_.shape), foreground_.mask, wide_, foreground_.shape,
+                       config_.widen_px);
+    mask_background_.launch(half_tile_each(foreground_.shape), wide_, live.filtered_m, background.depth_m,
+                            held_, foreground_.background_mask, fallback_m_, foreground_.shape,
+                            config_.widen_px, config_.hold_frames);
+}
+
+}  // namespace touchstone
