@@ -208,6 +208,8 @@ ReadResult DepthCamera::read(int timeout_ms) {
             self.pairing.finish();
             if (auto frame = self.pairing.take()) return *std::move(frame);
             return self.ending();
+        } else if (status != openni::STATUS_TIME_OUT) {
+            return CameraLost{fmt::format("{}: {}", self.name, one_line(openni::OpenNI::getExtendedError()))};
         } else if (left <= 0) {
             return ReadTimeout{};
         }

@@ -34,7 +34,7 @@ void check_writable(const std::string& path) {
 /// for a while.
 void wait_until_started(const std::string& path) {
     using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds quiet(100), longest(3000);
+    constexpr std::chrono::milliseconds quiet(250), longest(3000);
     const auto begin = Clock::now();
     auto last_growth = begin;
     std::uintmax_t size = 0;

@@ -16,7 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr auto poll_period = std::chrono::milliseconds(250);
-constexpr auto reload_period = std::chrono::seconds(2);
 
 bool is_camera(const openni::DeviceInfo& device) {
     // The stock drivers folder holds a dummy driver; some builds of it announce a device.
@@ -54,17 +53,13 @@ bool any_device_attached() {
 }
 
 bool wait_for_device(std::chrono::milliseconds timeout) {
+    const SensorSession session;
     const auto deadline = Clock::now() + timeout;
-    for (;;) {
-        // A driver without hot-plug looks for cameras only when it is loaded: load anew from time to time.
-        const SensorSession session;
-        const auto reload = Clock::now() + reload_period;
-        do {
-            if (first_attached_device()) return true;
-            if (Clock::now() >= deadline) return false;
-            std::this_thread::sleep_until(std::min(deadline, Clock::now() + poll_period));
-        } while (Clock::now() < reload);
+    while (!first_attached_device()) {
+        if (Clock::now() >= deadline) return false;
+        std::this_thread::sleep_until(std::min(deadline, Clock::now() + poll_period));
     }
+    return true;
 }
 
 }  // namespace touchstone
