@@ -1,0 +1,74 @@
+#include "app/config.hpp"
+
+#include "tests/support/expect_error.hpp"
+
+namespace touchstone {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+void expect_refused(const std::string& text, const testing::Matcher<std::string>& message) {
+    expect_error(
+        [&] {
+            Config config;
+            parse_config(text, "table.toml", config);
+        },
+        ExitStatus::configuration, message);
+}
+
+TEST(Config, ValuesAreTakenOver) {
+    Config config;
+    parse_config("[scan]\nframes = 12\n[tuio]\nhost = \"10.0.0.7\"\nenabled = false\n[volume]\nside_m = 2\n",
+                 "table.toml", config);
+    EXPECT_EQ(config.interaction.scan_frames, 12);
+    EXPECT_EQ(config.tuio.host, "10.0.0.7");
+    EXPECT_FALSE(config.tuio_enabled);
+    EXPECT_FLOAT_EQ(config.interaction.background.volume.side_m, 2.0f);
+}
+
+TEST(Config, PrintedConfigurationReadsBackTheSame) {
+    Config changed;
+    changed.interaction.scan_frames = 17;
+    changed.interaction.noise.quadratic = 0.00123f;
+    changed.tuio.source = "table \"one\"";
+    Config read;
+    parse_config(print_config(changed), "printed", read);
+    EXPECT_EQ(print_config(read), print_config(changed));
+    EXPECT_EQ(read.interaction.noise.quadratic, 0.00123f);
+    EXPECT_EQ(read.tuio.source, "table \"one\"");
+}
+
+TEST(Config, UnknownKeyIsNamedWithItsLineAndWhatThereIs) {
+    expect_refused("[scan]\nframes = 5\nframe = 5\n",
+                   AllOf(HasSubstr("table.toml:3"), HasSubstr("scan.frame;"), HasSubstr("frames")));
+    expect_refused("[skan]\nframes = 5\n",
+                   AllOf(HasSubstr("table.toml:1"), HasSubstr("skan"), HasSubstr("scan")));
+    expect_refused("frames = 5\n", HasSubstr("table.toml:1"));
+}
+
+TEST(Config, BadValuesAreNamedWithTheAllowedRange) {
+    expect_refused("[tuio]\nport = 70000\n",
+                   AllOf(HasSubstr("table.toml:2"), HasSubstr("tuio.port"), HasSubstr("1 to 65535")));
+    expect_refused("[tuio]\nport = \"x\"\n", HasSubstr("1 to 65535"));
+    expect_refused("[tuio]\nport = 3.5\n", HasSubstr("whole number"));
+    expect_refused("[tuio]\nenabled = 1\n", HasSubstr("true or false"));
+    expect_refused("[volume]\nside_m = nan\n", HasSubstr("volume.side_m"));
+    expect_refused("[tuio]\nhost = 5\n", HasSubstr("text in quotes"));
+}
+
+TEST(Config, BrokenTomlIsNamedWithItsLine) {
+    expect_refused("[scan]\nframes = \n", HasSubstr("table.toml:2"));
+}
+
+TEST(Config, MissingFileIsNoInput) {
+    expect_error(
+        [] {
+            Config config;
+            load_config("/nowhere/table.toml", config);
+        },
+        ExitStatus::no_input, HasSubstr("/nowhere/table.toml"));
+}
+
+}  // namespace
+}  // namespace touchstone

@@ -1,0 +1,89 @@
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "platform/image/png_file.hpp"
+#include "tests/support/run_program.hpp"
+
+namespace touchstone {
+namespace {
+
+using test::ProgramResult;
+using test::run_program;
+using test::RunningProgram;
+
+std::vector<nlohmann::json> read_lines(const std::filesystem::path& path) {
+    std::vector<nlohmann::json> lines;
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) lines.push_back(nlohmann::json::parse(line));
+    return lines;
+}
+
+TEST(Run, StepPaceWritesEveryFrameOnceAndIsLiveByFrame25) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run_program({TOUCHSTONE_PROGRAM, "run", "--sensor", "sim:flat?seed=5&frames=40", "--pace", "step",
+                     "--display", "headless", "--events", (folder / "events.jsonl").string(), "--maps",
+                     (folder / "maps").string(), "--shots", (folder / "shots").string()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::vector<nlohmann::json> lines = read_lines(folder / "events.jsonl");
+    ASSERT_EQ(lines.size(), 40u);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        EXPECT_EQ(lines[i].at("frame"), i);
+        EXPECT_TRUE(lines[i].at("touches").is_array());
+        EXPECT_TRUE(lines[i].at("hovers").is_array());
+        EXPECT_EQ(lines[i].at("state"), i < 20 ? "scanning" : "live");
+        const std::string name =
+            "frame-" + std::string(6 - std::to_string(i).size(), '0') + std::to_string(i);
+        const Image8 foreground = read_png_8(folder / ("maps/" + name + ".foreground.png"));
+        EXPECT_EQ(foreground.width_px, 640);
+        EXPECT_EQ(foreground.height_px, 480);
+        EXPECT_EQ(foreground.channels, 1);
+        EXPECT_TRUE(std::filesystem::exists(folder / ("maps/" + name + ".touch.png")));
+        EXPECT_TRUE(std::filesystem::exists(folder / ("shots/" + name + ".png")));
+    }
+    EXPECT_EQ(read_png_8(folder / "shots/frame-000039.png").width_px, 1280);
+}
+
+TEST(Run, FramesEndsTheRunAndDashMeansStandardOutput) {
+    const ProgramResult result = run_program({TOUCHSTONE_PROGRAM, "--sensor", "sim:flat", "--pace", "step",
+                                              "--frames", "3", "--display", "headless", "--events", "-"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(std::ranges::count(result.out, '\n'), 3);
+}
+
+TEST(Run, TheSameSeedGivesTheSameEvents) {
+    const auto events = [] {
+        return run_program({TOUCHSTONE_PROGRAM, "run", "--sensor", "sim:flat?seed=9&empty=1&frames=75",
+                            "--pace", "step", "--display", "headless", "--events", "-"})
+            .out;
+    };
+    const std::string first = events();
+    EXPECT_THAT(first, testing::HasSubstr("hovers\":[{"));
+    EXPECT_EQ(first, events());
+}
+
+TEST(Run, LivePaceKeepsPerceptionAndPresentationApart) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run_program({TOUCHSTONE_PROGRAM, "run", "--sensor", "sim:mixed?rate=30", "--frames", "30",
+                     "--display", "headless", "--events", "-", "--shots", (folder / "shots").string()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(std::ranges::count(result.out, '\n'), 30);
+    EXPECT_FALSE(std::filesystem::is_empty(folder / "shots"));
+}
+
+TEST(Run, WaitsForACameraAndEndsOnSigterm) {
+    RunningProgram program({TOUCHSTONE_PROGRAM, "run", "--display", "headless", "--events", "-"});
+    for (int i = 0; i < 600 && program.errors_so_far().find("waiting") == std::string::npos; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    EXPECT_THAT(program.errors_so_far(), testing::HasSubstr("waiting for one to be plugged in"));
+    const ProgramResult result = program.finish(SIGTERM);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+}
+
+}  // namespace
+}  // namespace touchstone
