@@ -32,7 +32,7 @@ Canvas::Canvas(FontFiles files)
 
 Canvas::~Canvas() = default;
 
-void Canvas::begin(Eigen::Vector2f size_px, float scale) {
+void Canvas::begin(const Eigen::Vector2f& size_px, float scale) {
     if (scale != scale_) {
         fonts_ = std::make_unique<Fonts>(files_, scale);
         shared_->data.TexUvWhitePixel = fonts_->atlas().TexUvWhitePixel;
@@ -47,7 +47,7 @@ void Canvas::begin(Eigen::Vector2f size_px, float scale) {
     list_->PushTextureID(fonts_->atlas().TexID);
 }
 
-void Canvas::text(TextStyle style, Eigen::Vector2f at_px, style::Color color, std::string_view words,
+void Canvas::text(TextStyle style, const Eigen::Vector2f& at_px, style::Color color, std::string_view words,
                   float wrap_px) {
     ImFont* font = fonts_->font(style);
     const ImVec2 whole_px(std::round(at_px.x()), std::round(at_px.y()));
@@ -62,27 +62,29 @@ Eigen::Vector2f Canvas::text_size_px(TextStyle style, std::string_view words, fl
     return {size.x, size.y};
 }
 
-void Canvas::disc(Eigen::Vector2f center_px, float radius_px, style::Color color) {
+void Canvas::disc(const Eigen::Vector2f& center_px, float radius_px, style::Color color) {
     list_->AddCircleFilled(im(center_px), radius_px, color.packed());
 }
 
-void Canvas::ring(Eigen::Vector2f center_px, float radius_px, float width_px, style::Color color) {
+void Canvas::ring(const Eigen::Vector2f& center_px, float radius_px, float width_px, style::Color color) {
     list_->AddCircle(im(center_px), radius_px, color.packed(), 0, width_px);
 }
 
-void Canvas::arc(Eigen::Vector2f center_px, float radius_px, float width_px, float from_turn, float to_turn,
-                 style::Color color) {
+void Canvas::arc(const Eigen::Vector2f& center_px, float radius_px, float width_px, float from_turn,
+                 float to_turn, style::Color color) {
     list_->PathArcTo(im(center_px), radius_px, angle(from_turn), angle(to_turn), 64);
     list_->PathStroke(color.packed(), 0, width_px);
 }
 
-void Canvas::line(Eigen::Vector2f a_px, Eigen::Vector2f b_px, float width_px, style::Color color) {
+void Canvas::line(const Eigen::Vector2f& a_px, const Eigen::Vector2f& b_px, float width_px,
+                  style::Color color) {
     // The draw list takes pixel corners for lines and moves them half a pixel.
     list_->AddLine({a_px.x() - 0.5f, a_px.y() - 0.5f}, {b_px.x() - 0.5f, b_px.y() - 0.5f}, color.packed(),
                    width_px);
 }
 
-void Canvas::box(Eigen::Vector2f min_px, Eigen::Vector2f max_px, float corner_px, style::Color color) {
+void Canvas::box(const Eigen::Vector2f& min_px, const Eigen::Vector2f& max_px, float corner_px,
+                 style::Color color) {
     list_->AddRectFilled(im(min_px), im(max_px), color.packed(), corner_px);
 }
 

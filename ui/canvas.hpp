@@ -20,7 +20,7 @@ class Canvas {
     ~Canvas();
 
     /// Forgets the last frame. The letters are drawn again when the scale has changed.
-    void begin(Eigen::Vector2f size_px, float scale);
+    void begin(const Eigen::Vector2f& size_px, float scale);
 
     float scale() const { return scale_; }
     Eigen::Vector2f size_px() const { return size_px_; }
@@ -30,16 +30,17 @@ class Canvas {
     int fonts_version() const { return fonts_version_; }
 
     /// `at_px` is the upper left corner. Breaks lines at `wrap_px` unless that is 0.
-    void text(TextStyle style, Eigen::Vector2f at_px, style::Color color, std::string_view words,
+    void text(TextStyle style, const Eigen::Vector2f& at_px, style::Color color, std::string_view words,
               float wrap_px = 0.f);
     Eigen::Vector2f text_size_px(TextStyle style, std::string_view words, float wrap_px = 0.f) const;
-    void disc(Eigen::Vector2f center_px, float radius_px, style::Color color);
-    void ring(Eigen::Vector2f center_px, float radius_px, float width_px, style::Color color);
+    void disc(const Eigen::Vector2f& center_px, float radius_px, style::Color color);
+    void ring(const Eigen::Vector2f& center_px, float radius_px, float width_px, style::Color color);
     /// Part of a ring from the top, clockwise: 0..1 of a turn.
-    void arc(Eigen::Vector2f center_px, float radius_px, float width_px, float from_turn, float to_turn,
+    void arc(const Eigen::Vector2f& center_px, float radius_px, float width_px, float from_turn,
+             float to_turn, style::Color color);
+    void line(const Eigen::Vector2f& a_px, const Eigen::Vector2f& b_px, float width_px, style::Color color);
+    void box(const Eigen::Vector2f& min_px, const Eigen::Vector2f& max_px, float corner_px,
              style::Color color);
-    void line(Eigen::Vector2f a_px, Eigen::Vector2f b_px, float width_px, style::Color color);
-    void box(Eigen::Vector2f min_px, Eigen::Vector2f max_px, float corner_px, style::Color color);
 
   private:
     struct SharedData;

@@ -12,14 +12,22 @@ namespace {
 
 constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
 
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+void describe_vertices() {
+    constexpr GLuint position = 0, uv = 1, color = 2;
+    glVertexAttribFormat(position, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
+    glVertexAttribFormat(uv, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
+    glVertexAttribFormat(color, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
+    for (const GLuint attribute : {position, uv, color}) {
+        glVertexAttribBinding(attribute, 0);
+        glEnableVertexAttribArray(attribute);
+    }
+}
 
-void describe_vertices(std::size_t first_vertex) {
-    constexpr GLsizei stride = sizeof(ImDrawVert);
-    const std::size_t base = first_vertex * sizeof(ImDrawVert);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, offset(base + offsetof(ImDrawVert, pos)));
-    glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, offset(base + offsetof(ImDrawVert, uv)));
-    glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(base + offsetof(ImDrawVert, col)));
+void draw_triangles(const ImDrawCmd& command) {
+    const std::size_t first_byte = command.IdxOffset * sizeof(ImDrawIdx);
+    // GL takes a place in the bound buffer as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    const auto* place = reinterpret_cast<const void*>(first_byte);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type, place);
 }
 
 void clip_to(const ImVec4& clip, float height_px) {
@@ -32,7 +40,7 @@ void clip_to(const ImVec4& clip, float height_px) {
 CanvasRenderer::CanvasRenderer()
     : program_(make_program("canvas")), size_px_uniform_(program_.uniform("u_size_px")) {
     glBindVertexArray(vertex_array_.id());
-    for (const GLuint attribute : {0U, 1U, 2U}) glEnableVertexAttribArray(attribute);
+    describe_vertices();
     glBindVertexArray(0);
 }
 
@@ -66,9 +74,9 @@ void CanvasRenderer::draw(Canvas& canvas) {
     for (const ImDrawCmd& command : list.CmdBuffer) {
         if (command.ElemCount == 0) continue;
         clip_to(command.ClipRect, canvas.size_px().y());
-        describe_vertices(command.VtxOffset);
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
-                       offset(command.IdxOffset * sizeof(ImDrawIdx)));
+        glBindVertexBuffer(0, vertices_.id(), static_cast<GLintptr>(command.VtxOffset * sizeof(ImDrawVert)),
+                           sizeof(ImDrawVert));
+        draw_triangles(command);
     }
     glBindVertexArray(0);
     glDisable(GL_SCISSOR_TEST);

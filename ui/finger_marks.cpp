@@ -9,7 +9,7 @@ namespace {
 constexpr float farthest_hover_m = 0.06f;
 constexpr float ring_growth = 1.1f;  // of the radius, at farthest_hover_m
 
-void draw_hover(Canvas& canvas, Eigen::Vector2f at_px, const Fingertip& tip) {
+void draw_hover(Canvas& canvas, const Eigen::Vector2f& at_px, const Fingertip& tip) {
     const float scale = canvas.scale();
     const float far = std::clamp(tip.height_m / farthest_hover_m, 0.f, 1.f);
     const float radius_px = style::hover_radius_px * scale * (1.f + ring_growth * far);
@@ -19,7 +19,7 @@ void draw_hover(Canvas& canvas, Eigen::Vector2f at_px, const Fingertip& tip) {
     canvas.disc(at_px, 0.6f * ring_px, style::white.faded(0.9f));
 }
 
-void draw_touch(Canvas& canvas, Eigen::Vector2f at_px, const Fingertip& tip) {
+void draw_touch(Canvas& canvas, const Eigen::Vector2f& at_px, const Fingertip& tip) {
     const float scale = canvas.scale();
     const float radius_px = style::touch_radius_px * scale;
     const float ring_px = style::ring_px * scale;

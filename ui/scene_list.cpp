@@ -22,6 +22,7 @@ constexpr std::array rows{
 
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;
+    names.reserve(rows.size());
     for (const SceneRow& row : rows) names.emplace_back(row.name);
     return names;
 }

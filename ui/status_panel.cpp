@@ -9,12 +9,12 @@ constexpr float indent_px = 36.f;  // of words behind the mark or the state's do
 constexpr float baseline = 0.78f;  // of a line's height, from its top
 
 /// The product's mark: a touch on a surface, seen from above.
-void draw_mark(Canvas& canvas, Eigen::Vector2f center, float radius) {
+void draw_mark(Canvas& canvas, const Eigen::Vector2f& center, float radius) {
     canvas.ring(center, radius, 0.2f * radius, style::accent.faded(0.45f));
     canvas.disc(center, 0.45f * radius, style::accent);
 }
 
-void draw_state_dot(Canvas& canvas, Eigen::Vector2f center, style::Color color) {
+void draw_state_dot(Canvas& canvas, const Eigen::Vector2f& center, style::Color color) {
     canvas.disc(center, 10.f * canvas.scale(), color.faded(0.22f));
     canvas.disc(center, 5.5f * canvas.scale(), color);
 }
@@ -63,7 +63,7 @@ class Column {
     Eigen::Vector2f at_;
 };
 
-void draw_finger_dots(Canvas& canvas, Eigen::Vector2f at, const std::vector<int>& touching) {
+void draw_finger_dots(Canvas& canvas, const Eigen::Vector2f& at, const std::vector<int>& touching) {
     const float s = canvas.scale();
     Eigen::Vector2f center = at + Eigen::Vector2f(10.f * s, 10.f * s);
     for (const int id : touching) {

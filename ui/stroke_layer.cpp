@@ -21,14 +21,13 @@ StrokeLayer::StrokeLayer(PixelSize view)
     glUniform1f(program_.uniform("u_radius_px"), 0.5f * style::stroke_width_of_view * width);
 
     glBindVertexArray(vertex_array_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, instance_buffer_.id());
-    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), nullptr);
-    glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Instance),
-                          reinterpret_cast<const void*>(offsetof(Instance, color)));
+    glVertexAttribFormat(0, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, ends_px));
+    glVertexAttribFormat(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Instance, color));
     for (const GLuint attribute : {0U, 1U}) {
+        glVertexAttribBinding(attribute, 0);
         glEnableVertexAttribArray(attribute);
-        glVertexAttribDivisor(attribute, 1);
     }
+    glVertexBindingDivisor(0, 1);
     glBindVertexArray(0);
     clear();
 }
@@ -57,6 +56,7 @@ void StrokeLayer::flush() {
     glBindBuffer(GL_ARRAY_BUFFER, instance_buffer_.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(waiting_.size() * sizeof(Instance)),
                  waiting_.data(), GL_STREAM_DRAW);
+    glBindVertexBuffer(0, instance_buffer_.id(), 0, sizeof(Instance));
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(waiting_.size()));
     glBindVertexArray(0);
     glDisable(GL_BLEND);

@@ -13,12 +13,12 @@ constexpr int most_pieces = 64;
 
 }  // namespace
 
-StrokePath::StrokePath(Eigen::Vector2f start_px, std::vector<StrokePiece>& pieces)
+StrokePath::StrokePath(const Eigen::Vector2f& start_px, std::vector<StrokePiece>& pieces)
     : drawn_to_px_(start_px), place_px_(start_px) {
     pieces.push_back({start_px, start_px});
 }
 
-void StrokePath::move(Eigen::Vector2f to_px, std::vector<StrokePiece>& pieces) {
+void StrokePath::move(const Eigen::Vector2f& to_px, std::vector<StrokePiece>& pieces) {
     if ((to_px - place_px_).norm() < least_step_px) return;
     const Eigen::Vector2f from = drawn_to_px_;
     const Eigen::Vector2f control = place_px_;
@@ -37,7 +37,7 @@ void StrokePath::move(Eigen::Vector2f to_px, std::vector<StrokePiece>& pieces) {
     place_px_ = to_px;
 }
 
-void StrokePath::finish(Eigen::Vector2f end_px, std::vector<StrokePiece>& pieces) {
+void StrokePath::finish(const Eigen::Vector2f& end_px, std::vector<StrokePiece>& pieces) {
     move(end_px, pieces);
     if (drawn_to_px_ != place_px_) pieces.push_back({drawn_to_px_, place_px_});
     drawn_to_px_ = place_px_;

@@ -12,7 +12,7 @@ struct Color {
     std::uint8_t r = 0, g = 0, b = 0, a = 255;
 
     constexpr Color faded(float opacity) const {
-        return {r, g, b, static_cast<std::uint8_t>(static_cast<float>(a) * opacity + 0.5f)};
+        return {r, g, b, static_cast<std::uint8_t>(static_cast<float>(a) * opacity)};
     }
     /// Bytes r, g, b, a in memory, as draw lists and vertex buffers want it.
     constexpr std::uint32_t packed() const {

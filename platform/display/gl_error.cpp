@@ -20,7 +20,7 @@ std::string take_gl_errors() {
 
 std::string gl_description() {
     std::string line;
-    for (const GLenum name : {GL_VENDOR, GL_RENDERER, GL_VERSION}) {
+    for (const GLenum name : {GLenum{GL_VENDOR}, GLenum{GL_RENDERER}, GLenum{GL_VERSION}}) {
         const auto* text = reinterpret_cast<const char*>(glGetString(name));
         line += (line.empty() ? "" : ", ") + std::string(text ? text : "unknown");
     }

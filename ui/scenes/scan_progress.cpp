@@ -57,7 +57,8 @@ Eigen::Vector2f size_of(const Canvas& canvas, const std::vector<CardLine>& lines
 
 std::string percent(float part) { return std::to_string(static_cast<int>(std::floor(100.f * part))) + "%"; }
 
-void draw_ring(Canvas& canvas, Eigen::Vector2f center, float radius, const TableFrame& frame, float clock_s) {
+void draw_ring(Canvas& canvas, const Eigen::Vector2f& center, float radius, const TableFrame& frame,
+               float clock_s) {
     const float width = 6.f * canvas.scale();
     canvas.ring(center, radius, width, style::white.faded(0.12f));
     if (frame.state == "scanning") {
