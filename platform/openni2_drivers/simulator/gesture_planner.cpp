@@ -160,65 +160,82 @@ std::vector<Motion> GesturePlanner::glide(const HandPosture& from, const HandPos
     return {};
 }
 
-std::vector<Motion> GesturePlanner::contact(Gesture gesture, const HandPosture& at, const HandPosture& over,
-                                            double start_s, Random& random) const {
+std::vector<Motion> GesturePlanner::still_contact(Gesture gesture, const Target& target, double start_s,
+                                                  Random& random) const {
     using Kind = Motion::Kind;
-    const bool pinch = gesture == Gesture::pinch;
+    const auto& [at, over, gap_m] = target;
     const int taps = gesture == Gesture::tap && random.chance(0.25F) ? 2 + random.below(2) : 1;
     const Vec3 away = over.index_tip - at.index_tip;
     std::vector<Motion> motions;
     HandPosture from = over;
     for (int i = 0; i < taps; ++i) {
-        append(motions, Kind::strike, from, at, start_s, strike_s(random), pinch);
+        append(motions, Kind::strike, from, at, start_s, strike_s(random), false);
         const double hold_s = gesture == Gesture::hold    ? random.uniform(0.5F, 2.0F)
                               : gesture == Gesture::feint ? random.uniform(0.0F, 0.25F)
                                                           : contact_s(random);
-        append(motions, Kind::rest, at, at, start_s, hold_s, pinch);
+        append(motions, Kind::rest, at, at, start_s, hold_s, false);
         from = i + 1 < taps ? shifted(at, away * random.uniform(0.3F, 0.8F)) : over;
-        append(motions, Kind::lift, at, from, start_s, strike_s(random), pinch);
+        append(motions, Kind::lift, at, from, start_s, strike_s(random), false);
     }
+    return motions;
+}
+
+std::vector<Motion> GesturePlanner::moving_contact(Gesture gesture, const Target& target, double start_s,
+                                                   Random& random) const {
+    using Kind = Motion::Kind;
+    const auto& [at, over, gap_m] = target;
+    const bool pinch = gesture == Gesture::pinch;
+    const bool sweep = gesture == Gesture::sweep;
+    const auto to = move_on(gesture, at, gap_m, random);
+    if (!to) return {};
+    std::vector<Motion> motions;
+    if (!sweep) {
+        append(motions, Kind::strike, over, at, start_s, strike_s(random), pinch);
+        append(motions, Kind::rest, at, at, start_s, contact_s(random), pinch);
+    }
+    const float way_m = std::max(0.03F, (to->index_tip - at.index_tip).norm());
+    // A minimum-jerk way is at most 1.9 times as fast as its mean: 0.5 m/s.
+    Motion& trace =
+        append(motions, Kind::trace, at, *to, start_s, way_m / random.uniform(0.08F, 0.26F), pinch);
+    trace.gap_m = gap_m;
+    trace.bow_m = random.uniform(-0.2F, 0.2F) * way_m;
+    if (!sweep) {
+        append(motions, Kind::rest, *to, *to, start_s, random.uniform(0.02F, 0.1F), pinch);
+        const HandPosture up = shifted(*to, over.index_tip - at.index_tip);
+        append(motions, Kind::lift, *to, up, start_s, strike_s(random), pinch);
+    }
+    return motions;
+}
+
+std::vector<Motion> GesturePlanner::try_gesture(Gesture gesture, const HandPosture& now, double start_s,
+                                                const Vec3& shoulder_s, Random& random) const {
+    const bool pinch = gesture == Gesture::pinch;
+    const float gap_m = planned_gap_m(gesture, random);
+    const auto at = aim(gesture, gap_m, shoulder_s, random);
+    if (!at) return {};
+    const Vec3 away = (place_.scene.normal(at->index_tip) + Vec3::UnitZ()).normalized();
+    const HandPosture over =
+        gesture == Gesture::sweep ? *at : shifted(*at, away * random.uniform(20.0F, 60.0F) * mm);
+    std::vector<Motion> motions = glide(now, over, start_s, shoulder_s);
+    if (motions.empty()) return {};
+    motions.back().thumb_touches = pinch;
+    append(motions, Motion::Kind::rest, over, over, start_s, random.uniform(0.0F, 0.12F), pinch);
+    const bool moves = gesture == Gesture::drag || gesture == Gesture::sweep || pinch;
+    const auto plan_contact = moves ? &GesturePlanner::moving_contact : &GesturePlanner::still_contact;
+    const std::vector<Motion> contact =
+        (this->*plan_contact)(gesture, {*at, over, gap_m}, motions.back().end_s, random);
+    const auto possible = [&](const Motion& motion) { return is_possible(motion, shoulder_s); };
+    if (contact.empty() || !std::all_of(contact.begin(), contact.end(), possible)) return {};
+    motions.insert(motions.end(), contact.begin(), contact.end());
     return motions;
 }
 
 std::vector<Motion> GesturePlanner::plan(Gesture gesture, const HandPosture& now, double start_s,
                                          const Vec3& shoulder_s, Random& random) const {
-    const bool pinch = gesture == Gesture::pinch;
-    const bool moves = gesture == Gesture::drag || gesture == Gesture::sweep || pinch;
-    for (int attempt = 0; attempt < 60; ++attempt) {
-        const float gap_m = planned_gap_m(gesture, random);
-        const auto at = aim(gesture, gap_m, shoulder_s, random);
-        if (!at) continue;
-        const Vec3 away = (place_.scene.normal(at->index_tip) + Vec3::UnitZ()).normalized();
-        const HandPosture over =
-            gesture == Gesture::sweep ? *at : shifted(*at, away * random.uniform(20.0F, 60.0F) * mm);
-        std::vector<Motion> motions = glide(now, over, start_s, shoulder_s);
-        if (motions.empty()) continue;
-        motions.back().thumb_touches = pinch;
-        const double there_s = motions.back().end_s + static_cast<double>(random.uniform(0.0F, 0.12F));
-        append(motions, Motion::Kind::rest, over, over, start_s, there_s - motions.back().end_s, pinch);
-        std::vector<Motion> act = contact(gesture, *at, over, there_s, random);
-        if (moves) {
-            const auto to = move_on(gesture, *at, gap_m, random);
-            if (!to) continue;
-            const double way_m = std::max(0.03, static_cast<double>((to->index_tip - at->index_tip).norm()));
-            if (gesture == Gesture::sweep)
-                act.clear();
-            else
-                act.pop_back();
-            Motion& trace = append(act, Motion::Kind::trace, *at, *to, there_s,
-                                   way_m / static_cast<double>(random.uniform(0.08F, 0.26F)), pinch);
-            trace.gap_m = gap_m;
-            trace.bow_m = random.uniform(-0.2F, 0.2F) * static_cast<float>(way_m);
-            if (gesture != Gesture::sweep) {
-                append(act, Motion::Kind::rest, *to, *to, there_s, random.uniform(0.02F, 0.1F), pinch);
-                append(act, Motion::Kind::lift, *to, shifted(*to, over.index_tip - at->index_tip), there_s,
-                       strike_s(random), pinch);
-            }
-        }
-        if (!std::all_of(act.begin(), act.end(), [&](const Motion& m) { return is_possible(m, shoulder_s); }))
-            continue;
-        motions.insert(motions.end(), act.begin(), act.end());
-        return motions;
+    constexpr int tries = 60;
+    for (int i = 0; i < tries; ++i) {
+        std::vector<Motion> motions = try_gesture(gesture, now, start_s, shoulder_s, random);
+        if (!motions.empty()) return motions;
     }
     return {};
 }

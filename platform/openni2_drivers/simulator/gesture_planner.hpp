@@ -24,6 +24,12 @@ class GesturePlanner {
                               const Vec3& shoulder_s) const;
 
   private:
+    struct Target {
+        HandPosture at;    ///< in contact, or at the gap
+        HandPosture over;  ///< where the strike starts
+        float gap_m;
+    };
+
     std::optional<HandPosture> aim(Gesture gesture, float gap_m, const Vec3& shoulder_s,
                                    Random& random) const;
     bool aim_thumb(HandPosture& posture, float gap_m, const Vec3& shoulder_s, Random& random) const;
@@ -32,8 +38,12 @@ class GesturePlanner {
     bool can_rest(const HandPosture& posture, const Vec3& shoulder_s, bool thumb_touches) const;
     bool is_possible(const Motion& motion, const Vec3& shoulder_s) const;
     bool is_possible(const Motion& motion, const Vec3& shoulder_s, double step_s) const;
-    std::vector<Motion> contact(Gesture gesture, const HandPosture& at, const HandPosture& over,
-                                double start_s, Random& random) const;
+    std::vector<Motion> try_gesture(Gesture gesture, const HandPosture& now, double start_s,
+                                    const Vec3& shoulder_s, Random& random) const;
+    std::vector<Motion> still_contact(Gesture gesture, const Target& target, double start_s,
+                                      Random& random) const;
+    std::vector<Motion> moving_contact(Gesture gesture, const Target& target, double start_s,
+                                       Random& random) const;
     double contact_s(Random& random) const;
 
     Workplace place_;

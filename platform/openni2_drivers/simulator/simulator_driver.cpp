@@ -1,11 +1,7 @@
-#include <memory>
-#include <string_view>
-
 #include "platform/openni2_drivers/common/source_driver.hpp"
+#include "platform/openni2_drivers/simulator/simulator_source.hpp"
 
 namespace touchstone {
-
-std::unique_ptr<FrameSource> open_simulator(std::string_view after_scheme);
 
 /// "sim:SCENE?key=value&...".
 class SimulatorDriver : public SourceDriver {
