@@ -49,6 +49,9 @@ std::vector<std::string> allowed_for(const std::string& part) {
     if (part == "kernels" || part == "platform/system") return {};
     if (part == "platform/openni2_drivers")
         return {"platform/system", "platform/image", "kernels/shared_types.h"};
+    // What the drivers and the camera agree on: pace and the custom device properties.
+    if (part == "platform/camera")
+        return {"platform/system", "platform/openni2_drivers/common", "kernels/shared_types.h"};
     return {"platform/system", "kernels/shared_types.h"};
 }
 
