@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <fmt/core.h>
+#include <thread>
 #include <utility>
 
 #include "platform/camera/attached_devices.hpp"
@@ -28,6 +29,7 @@ constexpr int slice_ms = 20;
 // The stock player in lock step delivers one frame for each wait that begins without one. A second wait for
 // the same frame must not begin while the player is still busy with the first, or a frame is overwritten.
 constexpr int stepped_recording_slice_ms = 250;
+constexpr std::chrono::milliseconds player_rest(15);
 
 std::string resolve(const std::string& uri) {
     if (!uri.empty()) return uri;
@@ -88,6 +90,11 @@ DepthCamera::Impl::Impl(const std::string& wanted_uri, std::optional<Pace> wante
 
 DepthCamera::Impl::~Impl() {
     recording.reset();
+    color.stop();
+    depth.stop();
+    // After the end the stock player's thread walks its list of streams without pause and without a lock;
+    // once they are stopped it does so every 10 ms. Let it come to rest before the list changes under it.
+    if (kind == SensorKind::recording) std::this_thread::sleep_for(player_rest);
     color.destroy();
     depth.destroy();
     device.close();
