@@ -45,20 +45,27 @@ struct NormalEquations {
 
 class Fitter {
   public:
-    Fitter(std::span<const Vector3f> points_m, const RadiusPrior& prior, float sigma_z_m,
+    Fitter(std::span<const Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
            const FingerFitConfig& config)
-        : points_m_(points_m), prior_(prior), sigma_z_m_(sigma_z_m), config_(config) {}
+        : points_m_(points_m), guess_(guess), sigma_z_m_(sigma_z_m), config_(config) {}
 
     NormalEquations equations(const FingerShape& shape, bool rough) const {
         const auto [u, v] = sideways(shape.axis);
         NormalEquations sum;
         for (const Vector3f& p : points_m_) add_point(shape, u, v, p, rough, sum);
-        const float prior_weight = 1.0f / (prior_.sigma_m * prior_.sigma_m);
-        sum.JTJ(5, 5) += prior_weight;
-        sum.JTe(5) += prior_weight * (shape.radius_m - prior_.radius_m);
-        // Keeps a short shaft from leaving the axis without a hold: half a radian.
-        sum.JTJ(3, 3) += 4.0f;
-        sum.JTJ(4, 4) += 4.0f;
+        const float radius_weight = 1.0f / (guess_.radius.sigma_m * guess_.radius.sigma_m);
+        sum.JTJ(5, 5) += radius_weight;
+        sum.JTe(5) += radius_weight * (shape.radius_m - guess_.radius.radius_m);
+        const float axis_weight = 1.0f / (guess_.axis_sigma * guess_.axis_sigma);
+        const Vector3f turned = shape.axis - guess_.shape.axis;
+        sum.JTJ(3, 3) += axis_weight;
+        sum.JTJ(4, 4) += axis_weight;
+        sum.JTe(3) += axis_weight * turned.dot(u);
+        sum.JTe(4) += axis_weight * turned.dot(v);
+        const Vector3f n = guess_.outline.plane_normal;
+        const float outline_weight = 1.0f / (guess_.outline.sigma_m * guess_.outline.sigma_m);
+        sum.JTJ.topLeftCorner<3, 3>() += outline_weight * n * n.transpose();
+        sum.JTe.head<3>() += outline_weight * n.dot(shape.center_m) * n;
         return sum;
     }
 
@@ -84,7 +91,7 @@ class Fitter {
     }
 
     std::span<const Vector3f> points_m_;
-    RadiusPrior prior_;
+    FingerGuess guess_;
     float sigma_z_m_;
     FingerFitConfig config_;
 };
@@ -107,11 +114,11 @@ float distance_m(const FingerShape& shape, const FingerFitConfig& config, const 
     return residual_of(shape, config, point_m).distance_m;
 }
 
-FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerShape& guess, const RadiusPrior& prior,
-                     float sigma_z_m, const FingerFitConfig& config) {
-    const Fitter fitter(points_m, prior, sigma_z_m, config);
+FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
+                     const FingerFitConfig& config) {
+    const Fitter fitter(points_m, guess, sigma_z_m, config);
     FingerFit fit;
-    fit.shape = guess;
+    fit.shape = guess.shape;
     for (int round = 0; round < config.rounds; ++round) {
         const NormalEquations sum = fitter.equations(fit.shape, round < config.rounds / 2);
         if (sum.inliers < 12) return fit;

@@ -18,6 +18,20 @@ struct RadiusPrior {
     float sigma_m = 0.001f;
 };
 
+/// Where the round end must lie from what its outline says: on a plane through the camera.
+struct OutlineConstraint {
+    Eigen::Vector3f plane_normal{0.f, 0.f, 0.f};  ///< unit length; zero: nothing is known
+    float sigma_m = 0.001f;
+};
+
+/// What a fit starts from and is held by.
+struct FingerGuess {
+    FingerShape shape;
+    RadiusPrior radius;
+    OutlineConstraint outline;
+    float axis_sigma = 0.5f;  ///< radians by which the axis may be off
+};
+
 struct FingerFitConfig {
     float widening = 0.1f;             ///< of the radius over `length_m`
     float length_m = 0.026f;           ///< of the shaft that is used: to the first joint
@@ -42,7 +56,7 @@ float distance_m(const FingerShape& shape, const FingerFitConfig& config, const 
 
 /// The finger that best explains points of its visible side, by weighted Gauss-Newton from `guess`.
 /// `sigma_z_m` is the noise of a point along its ray.
-FingerFit fit_finger(std::span<const Eigen::Vector3f> points_m, const FingerShape& guess,
-                     const RadiusPrior& prior, float sigma_z_m, const FingerFitConfig& config);
+FingerFit fit_finger(std::span<const Eigen::Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
+                     const FingerFitConfig& config);
 
 }  // namespace touchstone

@@ -28,8 +28,9 @@ std::vector<KnownFinger> FingertipTracking::expected(std::uint64_t timestamp_us)
     const float dt_s = seconds_since_last(timestamp_us);
     std::vector<KnownFinger> known;
     for (const Track& track : tracks_) {
-        const Vector3f center = track.tip.shape.center_m + dt_s * track.velocity_m_s;
-        known.push_back({center, track.radius});
+        FingerShape shape = track.tip.shape;
+        shape.center_m += dt_s * static_cast<float>(1 + track.missed) * track.velocity_m_s;
+        known.push_back({shape, track.radius, config_.axis_sigma});
     }
     return known;
 }

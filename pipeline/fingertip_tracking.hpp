@@ -23,6 +23,7 @@ struct FingertipTrackingConfig {
     float most_speed_m_s = 3.0f;     ///< hands are not faster
     float radius_frames = 20.0f;     ///< frames over which the radius is averaged
     float radius_floor_m = 0.0002f;  ///< the radius is never known better
+    float axis_sigma = 0.2f;         ///< radians by which a finger turns in a frame
     float area_margin = 0.02f;       ///< beyond 0..1 of the interactive area
 };
 

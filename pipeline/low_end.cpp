@@ -1,0 +1,68 @@
+#include "pipeline/low_end.hpp"
+
+namespace touchstone {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+namespace {
+
+// Steps of two pixels bridge single lost ones.
+constexpr std::pair<int, int> steps_px[] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1},
+                                            {-1, 1}, {1, 1}, {-2, 0}, {2, 0}, {0, -2},  {0, 2}};
+
+}  // namespace
+
+bool is_foreground(const TablePicture& picture, std::size_t at) {
+    return picture.mask[at] != 0 && picture.live_m[at] > 0.0f && picture.height_m[at] < UNKNOWN_HEIGHT_M;
+}
+
+Vector3f LowEndFlood::point(int x, int y) const {
+    return back_project(picture_.intrinsics, x, y, picture_.live_m[index_of(picture_, x, y)]);
+}
+
+std::uint8_t& LowEndFlood::seen(int x, int y) {
+    return seen_[static_cast<std::size_t>((y - origin_y_) * side_px_ + x - origin_x_)];
+}
+
+void LowEndFlood::visit(int x, int y, LowEnd& end) {
+    seen(x, y) = 1;
+    end.points_m.push_back(point(x, y));
+    end.pixels_px.emplace_back(static_cast<float>(x), static_cast<float>(y));
+    // A lost edge pixel belongs to the finger, but nothing grows from it.
+    if (picture_.mask[index_of(picture_, x, y)] != 0) stack_.emplace_back(x, y);
+}
+
+void LowEndFlood::try_step(int from_x, int from_y, int x, int y, LowEnd& end) {
+    if (x < origin_x_ || y < origin_y_ || x >= origin_x_ + side_px_ || y >= origin_y_ + side_px_) return;
+    if (!in_picture(picture_, x, y) || seen(x, y) != 0) return;
+    const std::size_t at = index_of(picture_, x, y);
+    const bool beside = std::abs(x - from_x) + std::abs(y - from_y) == 1;
+    const float height_m = picture_.height_m[at];
+    const bool lost_edge = beside && picture_.live_m[at] > 0.0f && height_m > config_.edge_height_m &&
+                           height_m < UNKNOWN_HEIGHT_M;
+    if (!is_foreground(picture_, at) && !lost_edge) return;
+    const Vector3f there = point(x, y);
+    if ((there - point(from_x, from_y)).norm() > config_.step_m) return;
+    if ((there - end.seed_m).norm() > config_.radius_m) return;
+    visit(x, y, end);
+}
+
+LowEnd LowEndFlood::from(int x, int y) {
+    LowEnd end;
+    end.seed_m = point(x, y);
+    const int half_px = static_cast<int>(config_.radius_m * picture_.intrinsics.fx_px / end.seed_m.z()) + 2;
+    origin_x_ = x - half_px, origin_y_ = y - half_px;
+    side_px_ = 2 * half_px + 1;
+    seen_.assign(static_cast<std::size_t>(side_px_ * side_px_), 0);
+    stack_.clear();
+    visit(x, y, end);
+    while (!stack_.empty()) {
+        const auto [from_x, from_y] = stack_.back();
+        stack_.pop_back();
+        for (const auto& [dx, dy] : steps_px) try_step(from_x, from_y, from_x + dx, from_y + dy, end);
+    }
+    return end;
+}
+
+}  // namespace touchstone
