@@ -1,8 +1,8 @@
 /* What a Kinect's column bands drift by: histograms of the residual in 1/z over the still background, column by column.
  * counts and sums: DRIFT_ZONES x DRIFT_BINS planes of pitch values. Eight columns of one zone a work-item: global size
  * (pitch / 8, DRIFT_ZONES). */
-__kernel void column_residuals(__global const float* live_m, __global const float* model_m, __global const uchar* excluded,
-                               __global float* counts, __global float* sums, const MapShape shape,
+__kernel void column_residuals(__global const float* live_m, __global const float* model_m,
+                               __global const uchar* excluded, __global float* counts, __global float* sums, const MapShape shape,
                                const DriftParams params) {
     const int x = (int)get_global_id(0) * 8, zone = (int)get_global_id(1), pitch = shape.pitch_px;
     const int zone_rows = (shape.height_px + DRIFT_ZONES - 1) / DRIFT_ZONES;

@@ -28,9 +28,10 @@ inline float8 nearest_around8(__global const float* model_m, const int x, const 
     return nearest;
 }
 
-/* One ComponentMember per pixel. A pixel surely in front is a seed, unless the model has an edge beside it and its nearer
- * side explains the depth: edges of still things flicker by a pixel or two. Where there is no model, a pixel nearer than
- * all model beside it is a seed; far from any model it is MEMBER_UNKNOWN. The others can only be grown into. */
+/* One ComponentMember per pixel. A pixel surely in front is a seed, unless the model has an edge beside it and its
+ * nearer side explains the depth: edges of still things flicker by a pixel or two. Where there is no model, a pixel
+ * nearer than all model beside it is a seed; far from any model it is MEMBER_UNKNOWN. The others can only be grown
+ * into. */
 __kernel void mark_candidates(__global const uchar* codes, __global const float* live_m, __global const float* model_m,
                               __global const float* fallback_m, __global uchar* members, const MapShape shape,
                               const CandidateParams params) {
@@ -96,6 +97,10 @@ __kernel void widen_rows(__global const uchar* mask, __global uchar* wide, const
     vstore8(result, 0, wide + at + x);
 }
 
+inline uchar8 rows_since8(const uchar8 distance, const uchar8 mask) {
+    return select(add_sat(distance, (uchar8)(1)), (uchar8)(0), mask != (uchar8)(0));
+}
+
 /* The mask of the background's integration: within radius_px rows of `wide`, now or at most hold_frames ago; counts the
  * frames that are left in `held`. Where it is 0 and the model has no surface, fallback_m follows the live depth.
  * Half a tile a work-item: global size (pitch / 8, rows / 16). */
@@ -106,12 +111,12 @@ __kernel void mask_background(__global const uchar* wide, __global const float* 
     char8 near[TILE_PX];
     uchar8 distance = (uchar8)(255);
     for (int y = max(first - radius_px, 0); y < first + TILE_PX; ++y) {
-        distance = select(add_sat(distance, (uchar8)(1)), (uchar8)(0), convert_char8(vload8(0, wide + y * pitch + x) != (uchar8)(0)));
+        distance = rows_since8(distance, vload8(0, wide + y * pitch + x));
         if (y >= first) near[y - first] = distance <= (uchar8)(radius_px);
     }
     distance = (uchar8)(255);
     for (int y = min(first + TILE_PX + radius_px, shape.rows_px) - 1; y >= first; --y) {
-        distance = select(add_sat(distance, (uchar8)(1)), (uchar8)(0), convert_char8(vload8(0, wide + y * pitch + x) != (uchar8)(0)));
+        distance = rows_since8(distance, vload8(0, wide + y * pitch + x));
         if (y < first + TILE_PX) near[y - first] |= distance <= (uchar8)(radius_px);
     }
     for (int i = 0; i < TILE_PX; ++i) {

@@ -114,14 +114,15 @@ std::optional<float> ColumnDrift::column_residual(std::span<const float> counts,
     const ResidualBins all = zones[0] + zones[1] + zones[2] + zones[3];
     const std::optional<float> typical = typical_residual_per_m(all, config_);
     if (!typical) return std::nullopt;
+    const float gap_per_m = config_.zone_gap_steps * config_.disparity_step_per_m;
     float dissenting = 0.0f;
     ColumnDriftConfig of_a_zone = config_;
     of_a_zone.min_samples = config_.min_samples / DRIFT_ZONES;
     for (const ResidualBins& zone : zones) {
         const std::optional<float> own = typical_residual_per_m(zone, of_a_zone);
-        if (own && std::abs(*own - *typical) > config_.disparity_step_per_m) dissenting += total(zone);
+        if (own && std::abs(*own - *typical) > gap_per_m) dissenting += total(zone);
     }
-    return dissenting * 3.0f > total(all) ? std::nullopt : typical;
+    return dissenting > config_.max_dissent * total(all) ? std::nullopt : typical;
 }
 
 }  // namespace touchstone

@@ -18,7 +18,9 @@ struct ColumnDriftConfig {
     float gain = 0.08f;                    ///< of one frame: 1 / time constant in frames
     float leak = 0.0003f;                  ///< of the shift a frame, so that the model takes over what lasts
     float min_samples = 20.0f;             ///< pixels of a column, of those looked at; with less it is held
-    int row_step = 4;                      ///< each frame looks at every so many-th row, in turn
+    float zone_gap_steps = 0.6f;  ///< a quarter of the rows that is farther than this from the column
+    float max_dissent = 0.2f;     ///< ... disagrees; with a larger share of the pixels it is held
+    int row_step = 4;             ///< each frame looks at every so many-th row, in turn
 };
 
 /// Histogram of a column's residuals in 1/z.

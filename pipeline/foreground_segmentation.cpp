@@ -1,5 +1,7 @@
 #include "pipeline/foreground_segmentation.hpp"
 
+#include <algorithm>
+
 #include "pipeline/kernel_program.hpp"
 
 namespace touchstone {
@@ -97,8 +99,18 @@ bool ForegroundSegmentation::is_foreground(const Component& component) const {
     const auto area_m2 = [&](int pixels) { return static_cast<float>(pixels) * pixel_m2; };
     if (area_m2(component.unknowns) >= config_.unknown_area_m2) return true;
     const auto seeds = static_cast<float>(component.seeds);
-    return component.pixels >= config_.min_pixels && area_m2(component.pixels) >= config_.min_area_m2 &&
-           component.seeds > 0 && seeds >= config_.min_seed_share * static_cast<float>(component.pixels);
+    return component.pixels >= config_.min_pixels &&
+           area_m2(component.pixels) >= min_area_m2(component.mean_depth_m) && component.seeds > 0 &&
+           seeds >= config_.min_seed_share * static_cast<float>(component.pixels);
+}
+
+float ForegroundSegmentation::min_area_m2(float depth_m) const {
+    const SensorNoise& noise = config_.association.noise;
+    const auto sigma_z_m = [&](float z_m) {
+        return noise.constant_m + noise.quadratic * (z_m - noise.offset_m) * (z_m - noise.offset_m);
+    };
+    const float more_noise = std::max(1.0f, sigma_z_m(depth_m) / sigma_z_m(1.0f));
+    return config_.min_area_m2 * more_noise * more_noise;
 }
 
 void ForegroundSegmentation::mask_background(const LiveMaps& live, const SurfacePrediction& background) {

@@ -58,6 +58,7 @@ class ForegroundSegmentation {
     void mark_candidates(const LiveMaps& live, const SurfacePrediction& background);
     void select_components(const std::vector<Component>& found);
     bool is_foreground(const Component& component) const;
+    float min_area_m2(float depth_m) const;
     void mask_background(const LiveMaps& live, const SurfacePrediction& background);
 
     ForegroundSegmentationConfig config_;

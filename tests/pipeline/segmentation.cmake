@@ -1,0 +1,3 @@
+touchstone_test(segmentation_tests
+    SOURCES foreground_segmentation_test.cpp column_drift_test.cpp segmentation_recordings_test.cpp
+    LIBRARIES touchstone_pipeline touchstone_image)
