@@ -24,27 +24,29 @@ typedef struct BrickView {
     float near_m, far_m;
 } BrickView;
 
-/* Depth range and tiles of the sphere around a brick, grown by margin_m. A brick that reaches the camera is left out. */
+/* Half the extent along one camera axis of a cube of the global frame with half-side h. */
+inline float half_extent(const float4 row, const float h) { return h * (fabs(row.x) + fabs(row.y) + fabs(row.z)); }
+
+/* Depth range and tiles of the box around a brick, parallel to the camera's axes and grown by margin_m. A brick that
+ * reaches the camera is left out. */
 inline BrickView view_brick(const int brick, const VolumeParams volume, const Intrinsics k, const MapShape shape,
                             const Pose T_c_g, const float margin_m) {
     const int n = volume.bricks_per_side;
     const float side_m = volume.voxel_m * BRICK_VOX;
-    const float gx = ((float)(brick % n) + 0.5f) * side_m, gy = ((float)(brick / n % n) + 0.5f) * side_m;
-    const float gz = ((float)(brick / (n * n)) + 0.5f) * side_m;
-    const float cx = T_c_g.row_x.x * gx + T_c_g.row_x.y * gy + T_c_g.row_x.z * gz + T_c_g.row_x.w;
-    const float cy = T_c_g.row_y.x * gx + T_c_g.row_y.y * gy + T_c_g.row_y.z * gz + T_c_g.row_y.w;
-    const float cz = T_c_g.row_z.x * gx + T_c_g.row_z.y * gy + T_c_g.row_z.z * gz + T_c_g.row_z.w;
-    const float radius_m = 0.8660254f * side_m + margin_m;
+    const float4 center_g = (float4)(((float)(brick % n) + 0.5f) * side_m, ((float)(brick / n % n) + 0.5f) * side_m,
+                                     ((float)(brick / (n * n)) + 0.5f) * side_m, 1.0f);
+    const float2 center = (float2)(dot(T_c_g.row_x, center_g), dot(T_c_g.row_y, center_g));
+    const float half_m = 0.5f * side_m + margin_m, depth_m = dot(T_c_g.row_z, center_g);
+    const float2 extent = (float2)(half_extent(T_c_g.row_x, half_m), half_extent(T_c_g.row_y, half_m));
     BrickView view;
-    view.near_m = cz - radius_m;
-    view.far_m = cz + radius_m;
+    view.near_m = depth_m - half_extent(T_c_g.row_z, half_m);
+    view.far_m = depth_m + half_extent(T_c_g.row_z, half_m);
     view.tiles = (int4)(0, -1, 0, -1);
     if (!(view.near_m > 0.05f)) return view;
-    const float2 low = (float2)(k.fx_px * (cx - radius_m), k.fy_px * (cy - radius_m));
-    const float2 high = (float2)(k.fx_px * (cx + radius_m), k.fy_px * (cy + radius_m));
-    const float2 center = (float2)(k.cx_px, k.cy_px);
-    const float2 first = fmin(low / view.near_m, low / view.far_m) + center;
-    const float2 last = fmax(high / view.near_m, high / view.far_m) + center;
+    const float2 focal = (float2)(k.fx_px, k.fy_px), principal = (float2)(k.cx_px, k.cy_px);
+    const float2 low = focal * (center - extent), high = focal * (center + extent);
+    const float2 first = fmin(low / view.near_m, low / view.far_m) + principal - 0.5f;
+    const float2 last = fmax(high / view.near_m, high / view.far_m) + principal + 0.5f;
     const float2 size = (float2)((float)shape.width_px, (float)shape.height_px);
     if (!(first.x < size.x && first.y < size.y && last.x >= 0.0f && last.y >= 0.0f)) return view;
     const int2 a = convert_int2_rtz(fmax(first, 0.0f)) / TILE_PX;
@@ -85,10 +87,13 @@ __kernel void flag_brick_tiles(__global const int* bricks, __global uchar* flags
     }
 }
 
-/* Nearest and farthest depth of the bricks over each tile, as the bits of positive floats: ray starts and ends. */
-__kernel void brick_range_image(__global const int* bricks, __global int* nearest, __global int* farthest,
-                                const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
-    const BrickView view = view_brick(bricks[get_global_id(0)], volume, k, shape, T_c_g, 0.0f);
+/* Where rays of each tile start and end, as the bits of positive floats: over the bricks that hold a point behind a surface,
+ * two voxels wider, so that a ray meets the last positive voxel first. One brick a work-item. */
+__kernel void brick_range_image(__global const int* bricks, __global const uchar* has_inside, __global int* nearest,
+                                __global int* farthest, const VolumeParams volume, const Intrinsics k,
+                                const MapShape shape, const Pose T_c_g) {
+    if (!has_inside[get_global_id(0)]) return;
+    const BrickView view = view_brick(bricks[get_global_id(0)], volume, k, shape, T_c_g, 2.0f * volume.voxel_m);
     for (int ty = view.tiles.z; ty <= view.tiles.w; ++ty) {
         for (int tx = view.tiles.x; tx <= view.tiles.y; ++tx) {
             const int tile = ty * (shape.pitch_px / TILE_PX) + tx;

@@ -2,7 +2,7 @@
  * (PAPER.md#3). A work-group is one brick; a work-item is one row of eight voxels along x. */
 
 __kernel void integrate(__global const int* slots, __global const int* brick_of_slot, __global int* pool,
-                        __global const float* depth_m, __global const uchar* mask, const VolumeParams volume,
+                        __global uchar* has_inside, __global const float* depth_m, __global const uchar* mask, const VolumeParams volume,
                         const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const int slot = slots[get_group_id(0)], row = (int)get_local_id(0);
     const int brick = brick_of_slot[slot], n = volume.bricks_per_side;
@@ -32,4 +32,5 @@ __kernel void integrate(__global const int* slots, __global const int* brick_of_
     const float8 average = (voxel_tsdf8(old) * old_weight_f + tsdf) / (old_weight_f + 1.0f);  // L2:13
     const int8 packed = pack_voxels8(average, weight, (old >> 24) & 0xff);
     vstore8(select(old, packed, used), 0, voxels);  // L2:14
+    if (any(used & (average < 0.0f))) has_inside[slot] = 1;
 }

@@ -3,6 +3,7 @@
 
 typedef struct Crossing8 {
     float8 before, after; /* depths of the last positive and the first negative sample */
+    float8 share;         /* of the way between them, where a straight line is zero */
     int8 found;
 } Crossing8;
 
@@ -20,7 +21,7 @@ inline Crossing8 walk8(__global const int* table, __global const int* pool, cons
                        const Points8 origin, const Points8 direction, const float8 voxel_step, const float start,
                        const float end) {
     Crossing8 crossing;
-    crossing.before = crossing.after = (float8)(0.0f);
+    crossing.before = crossing.after = crossing.share = (float8)(0.0f);
     crossing.found = (int8)(0);
     const float scale = 0.8f * volume.max_truncation_m / volume.voxel_m;
     const float size = (float)volume.size_vox;
@@ -38,6 +39,7 @@ inline Crossing8 walk8(__global const int* table, __global const int* pool, cons
         const int8 hit = live & known & (tsdf < 0.0f) & (before > 0.0f);
         crossing.before = select(crossing.before, t_before, hit);
         crossing.after = select(crossing.after, t, hit);
+        crossing.share = select(crossing.share, before / (before - tsdf), hit);
         crossing.found |= hit;
         live &= ~hit & ~(known & (tsdf > 0.0f) & (before < 0.0f));
         t_before = t;
@@ -49,30 +51,27 @@ inline Crossing8 walk8(__global const int* table, __global const int* pool, cons
     return crossing;
 }
 
-/* Narrows the crossing by regula falsi on trilinear samples, every third step by halving. The walk read nearest voxels, which change sign near, but not
- * at the surface: the bracket is widened by a voxel on both sides. -1 in ok where the surface was found. */
+/* From the walk's crossing to the zero of the trilinear TSDF by Newton steps along the ray, whose slope the sample's
+ * gradient gives; a step is at most a voxel. -1 in ok where the surface was found to a tenth of a voxel. */
 inline float8 refine8(__global const int* table, __global const int* pool, const VolumeParams volume,
-                      const Points8 origin, const Points8 direction, const float8 voxel_step, Crossing8 c,
+                      const Points8 origin, const Points8 direction, const float8 voxel_step, const Crossing8 c,
                       Points8* gradient, int8* ok) {
-    c.before -= voxel_step;
-    c.after += voxel_step;
-    const Sample8 s0 = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, c.before));
-    const Sample8 s1 = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, c.after));
-    float8 f0 = select((float8)(0.5f), s0.tsdf, s0.known & (s0.tsdf > 0.0f));
-    float8 f1 = select((float8)(-0.5f), s1.tsdf, s1.known & (s1.tsdf < 0.0f));
-    float8 t = c.after;
+    const float tolerance = 0.1f * volume.voxel_m / volume.max_truncation_m;
+    const float8 most = voxel_step;
+    float8 t = c.before + (c.after - c.before) * c.share;
     *ok = (int8)(0);
-    for (int i = 0; i < 8 && !all(*ok | ~c.found); ++i) {
-        const float8 share = i % 3 == 2 ? (float8)(0.5f) : f0 / (f0 - f1);
-        t = select(c.before + (c.after - c.before) * share, t, *ok);
+    for (int i = 0; i < 6 && !all(*ok | ~c.found); ++i) {
         const Sample8 s = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, t));
-        const int8 positive = s.known & (s.tsdf > 0.0f), negative = s.known & (s.tsdf <= 0.0f);
-        c.before = select(c.before, t, positive);
-        f0 = select(f0, s.tsdf, positive);
-        c.after = select(c.after, t, negative);
-        f1 = select(f1, fmin(s.tsdf, -1e-6f), negative);
-        *gradient = s.gradient;
-        *ok = s.known & (fabs(s.tsdf) * volume.max_truncation_m < 0.1f * volume.voxel_m);
+        const float8 slope = dot8(s.gradient, direction);
+        const int8 descends = s.known & (slope < -1e-6f);
+        const float8 newton = clamp(-s.tsdf / select((float8)(-1.0f), slope, descends), -most, most);
+        const float8 step = select(select((float8)(0.0f), -0.5f * most, s.known), newton, descends);
+        const int8 searching = ~*ok;
+        *ok |= descends & (fabs(s.tsdf) < tolerance);
+        t += select((float8)(0.0f), step, searching);
+        gradient->x = select(gradient->x, s.gradient.x, searching);
+        gradient->y = select(gradient->y, s.gradient.y, searching);
+        gradient->z = select(gradient->z, s.gradient.z, searching);
     }
     return t;
 }

@@ -58,8 +58,8 @@ void Raycasting::update_ranges(const TsdfVolume& volume, const RigidTransform& T
     tile_far_.fill(0);
     if (volume.bricks_in_use() == 0) return;
     brick_range_image_.launch({{static_cast<std::size_t>(volume.bricks_in_use()), 1, 1}},
-                              volume.brick_of_slot(), tile_near_, tile_far_, volume.params(), intrinsics_,
-                              shape_, to_pose(T_g_c.inverse()));
+                              volume.brick_of_slot(), volume.has_inside(), tile_near_, tile_far_,
+                              volume.params(), intrinsics_, shape_, to_pose(T_g_c.inverse()));
 }
 
 void Raycasting::launch(const TsdfVolume& volume, const RigidTransform& T_g_c, int tiles,

@@ -66,13 +66,17 @@ void TsdfVolume::reserve(std::size_t slots) {
     const auto limit = static_cast<std::size_t>(config_.max_bricks);
     const std::size_t capacity = std::min(limit, std::max({slots, 2 * capacity_, first_capacity_bricks}));
     Buffer<int> pool(*device_, capacity * BRICK_VOXELS), brick_of_slot(*device_, capacity);
+    Buffer<std::uint8_t> has_inside(*device_, capacity);
     pool.fill(0);
+    has_inside.fill(0);
     if (capacity_ > 0) {
         pool.copy_from(pool_);
         brick_of_slot.copy_from(brick_of_slot_);
+        has_inside.copy_from(has_inside_);
     }
     pool_ = std::move(pool);
     brick_of_slot_ = std::move(brick_of_slot);
+    has_inside_ = std::move(has_inside);
     capacity_ = capacity;
 }
 

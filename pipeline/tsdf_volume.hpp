@@ -34,6 +34,9 @@ class TsdfVolume {
     const Buffer<int>& pool() const { return pool_; }
     /// Table index of each slot in use.
     const Buffer<int>& brick_of_slot() const { return brick_of_slot_; }
+    /// Of each slot in use: not 0 once a voxel of it was behind a surface. Other bricks hold no zero
+    /// crossing's far end.
+    const Buffer<std::uint8_t>& has_inside() const { return has_inside_; }
     int bricks_in_use() const { return static_cast<int>(slots_.size()); }
     std::size_t brick_count() const { return host_table_.size(); }
     std::size_t memory_bytes() const;
@@ -52,6 +55,7 @@ class TsdfVolume {
     VolumeConfig config_;
     VolumeParams params_;
     Buffer<int> table_, pool_, brick_of_slot_;
+    Buffer<std::uint8_t> has_inside_;
     std::vector<int> host_table_;
     std::vector<int> slots_;
     std::size_t capacity_ = 0;

@@ -34,8 +34,8 @@ const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, con
     select_bricks(volume, layers);
     if (updated_bricks_.empty()) return updated_bricks_;
     const LaunchSize size{{64 * updated_bricks_.size(), 1, 1}, {64, 1, 1}};
-    integrate_.launch(size, slots_, volume.brick_of_slot(), volume.pool(), depth_m, mask, volume.params(),
-                      intrinsics_, shape_, T_c_g);
+    integrate_.launch(size, slots_, volume.brick_of_slot(), volume.pool(), volume.has_inside(), depth_m, mask,
+                      volume.params(), intrinsics_, shape_, T_c_g);
     return updated_bricks_;
 }
 
