@@ -148,7 +148,8 @@ void DepthCamera::Impl::create_streams(bool with_color) {
 }
 
 void DepthCamera::Impl::start_streams() {
-    // Depth first: a live source begins with its first stream, and a first frame without colour is better than none.
+    // Depth first: a live source begins with its first stream, and a first frame without colour is better
+    // than none.
     for (openni::VideoStream* stream : {&depth, &color}) {
         if (!stream->isValid() || stream->start() == openni::STATUS_OK) continue;
         throw Error(ExitStatus::unavailable, fmt::format("{} does not start: {}", user_uri,
