@@ -6,43 +6,46 @@
 #include <limits>
 
 namespace touchstone::sim {
-namespace {
 
-constexpr float missed = -1.0F;
+ConeTracer::ConeTracer(const RoundCone& cone)
+    : a_(cone.a.cast<double>()),
+      b_(cone.b.cast<double>()),
+      axis_(b_ - a_),
+      radius_a_(static_cast<double>(cone.radius_a)),
+      radius_b_(static_cast<double>(cone.radius_b)),
+      taper_(radius_a_ - radius_b_),
+      d2_(axis_.squaredNorm() - taper_ * taper_),
+      m1_(-axis_.dot(a_)),
+      k0_(d2_ * a_.squaredNorm() - m1_ * m1_ + 2.0 * m1_ * taper_ * radius_a_ -
+          axis_.squaredNorm() * radius_a_ * radius_a_) {}
 
-/// Along the ray from a start near the ball, relative to that start; infinity = missed.
-float intersect_ball(const Vec3& from_center, const Vec3& direction, float radius) {
-    const float along = from_center.dot(direction);
-    const float root = along * along - from_center.squaredNorm() + radius * radius;
-    return root > 0.0F ? -along - std::sqrt(root) : std::numeric_limits<float>::infinity();
+float ConeTracer::operator()(const Vec3& ray) const {
+    const Eigen::Vector3d direction = ray.cast<double>();
+    const double ray2 = direction.squaredNorm();
+    const double m2 = axis_.dot(direction);
+    const double m3 = -a_.dot(direction);
+    const double k2 = d2_ * ray2 - m2 * m2;
+    const double k1 = d2_ * m3 - m1_ * m2 + m2 * taper_ * radius_a_;
+    const double root = k1 * k1 - k0_ * k2;
+    if (d2_ > 0.0) {
+        // The endless cone around both balls is missed, so are they.
+        if (root < 0.0) return -1.0F;
+        const double t = (-std::sqrt(root) - k1) / k2;
+        const double y = m1_ - radius_a_ * taper_ + t * m2;
+        if (k2 > 0.0 && y > 0.0 && y < d2_) return static_cast<float>(t);
+    }
+    return static_cast<float>(nearest_ball(direction, ray2));
 }
 
-}  // namespace
-
-float intersect(const RoundCone& cone, const Vec3& direction) {
-    // Starting near the cone keeps the differences of squares exact enough in single precision.
-    const float start = direction.dot(0.5F * (cone.a + cone.b));
-    const Vec3 axis = cone.b - cone.a;
-    const Vec3 from_a = start * direction - cone.a;
-    const float taper = cone.radius_a - cone.radius_b;
-    const float axis2 = axis.squaredNorm();
-    const float d2 = axis2 - taper * taper;
-    const float m1 = axis.dot(from_a);
-    const float m2 = axis.dot(direction);
-    const float m3 = direction.dot(from_a);
-    const float k2 = d2 - m2 * m2;
-    const float k1 = d2 * m3 - m1 * m2 + m2 * taper * cone.radius_a;
-    const float k0 = d2 * from_a.squaredNorm() - m1 * m1 + m1 * taper * cone.radius_a * 2.0F -
-                     axis2 * cone.radius_a * cone.radius_a;
-    const float root = k1 * k1 - k0 * k2;
-    if (d2 > 0.0F && root >= 0.0F && k2 > 0.0F) {
-        const float t = (-std::sqrt(root) - k1) / k2;
-        const float y = m1 - cone.radius_a * taper + t * m2;
-        if (y > 0.0F && y < d2) return start + t;
-    }
-    const float t = std::min(intersect_ball(from_a, direction, cone.radius_a),
-                             intersect_ball(start * direction - cone.b, direction, cone.radius_b));
-    return std::isfinite(t) ? start + t : missed;
+double ConeTracer::nearest_ball(const Eigen::Vector3d& ray, double ray2) const {
+    constexpr double missed = std::numeric_limits<double>::infinity();
+    const auto ball = [&](const Eigen::Vector3d& center, double radius) {
+        const double along = ray.dot(center);
+        const double root = along * along - ray2 * (center.squaredNorm() - radius * radius);
+        return root > 0.0 ? (along - std::sqrt(root)) / ray2 : missed;
+    };
+    const double t = std::min(ball(a_, radius_a_), ball(b_, radius_b_));
+    return t < missed ? t : -1.0;
 }
 
 Vec3 normal_at(const RoundCone& cone, const Vec3& point) {

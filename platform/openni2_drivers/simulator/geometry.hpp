@@ -15,8 +15,21 @@ struct RoundCone {
     float radius_a, radius_b;
 };
 
-/// Distance along a ray from the origin (unit direction) to the cone, in metres; negative = missed.
-float intersect(const RoundCone& cone, const Vec3& direction);
+/// Finds where rays from the origin meet a cone. In double precision: a finger is thin for its distance.
+class ConeTracer {
+  public:
+    explicit ConeTracer(const RoundCone& cone);
+
+    /// The multiple of `ray`, of any length, that is first on the cone; negative = missed.
+    float operator()(const Vec3& ray) const;
+
+  private:
+    double nearest_ball(const Eigen::Vector3d& ray, double ray2) const;
+
+    Eigen::Vector3d a_, b_, axis_;
+    double radius_a_, radius_b_, taper_;
+    double d2_, m1_, k0_;  ///< the parts of the quadratic that no ray changes
+};
 
 /// Outward unit normal of the cone at a point of its surface.
 Vec3 normal_at(const RoundCone& cone, const Vec3& point);

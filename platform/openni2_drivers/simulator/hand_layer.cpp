@@ -31,8 +31,9 @@ Footprint footprint(const RoundCone& cone_c, const TableView& view) {
     if (print.nowhere || print.everywhere) return print;
     print.from = view.project(cone_c.a);
     print.to = view.project(cone_c.b);
-    // A ball off the axis projects to an ellipse; 1.3 covers the corners of this view.
-    print.reach_px = 1.3F * view.intrinsics.fx_px * radius / nearest + 1.0F;
+    // A ball off the axis projects to an ellipse that is longer by the length of its ray at z = 1.
+    const float stretch = std::max(cone_c.a.norm() / cone_c.a.z(), cone_c.b.norm() / cone_c.b.z());
+    print.reach_px = 1.05F * stretch * view.intrinsics.fx_px * radius / nearest + 1.0F;
     return print;
 }
 
@@ -82,13 +83,12 @@ void draw_hand(Picture& picture, const Hand& hand, int owner, const TableView& v
         const RoundCone cone = in_camera(hand.parts[number].cone, view);
         const Footprint print = footprint(cone, view);
         if (print.nowhere) continue;
+        const ConeTracer trace(cone);
         const Span high = rows(print, view.intrinsics.height_px);
         for (int v = high.begin; v < high.end; ++v) {
             const Span wide = columns(print, v, width);
             for (int u = wide.begin; u < wide.end; ++u) {
-                const Vec3 ray = view.ray_c(static_cast<float>(u), static_cast<float>(v));
-                const float inverse = 1.0F / ray.norm();
-                const float z = intersect(cone, ray * inverse) * inverse;
+                const float z = trace(view.ray_c(static_cast<float>(u), static_cast<float>(v)));
                 const auto i = static_cast<std::size_t>(v * width + u);
                 if (z <= 0.0F || z >= picture.depth_m[i]) continue;
                 picture.depth_m[i] = z;

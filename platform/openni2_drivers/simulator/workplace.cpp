@@ -38,8 +38,8 @@ bool is_tip_visible(const Hand& hand, std::size_t part, const Workplace& place) 
     const Vec3 tip_s = hand.parts[part].cone.a;
     const Vec3 direction_s = (tip_s - view.camera_s).normalized();
     const auto seen_from_camera = [&](const RoundCone& cone) {
-        return intersect({cone.a - view.camera_s, cone.b - view.camera_s, cone.radius_a, cone.radius_b},
-                         direction_s);
+        return ConeTracer({cone.a - view.camera_s, cone.b - view.camera_s, cone.radius_a, cone.radius_b})(
+            direction_s);
     };
     const float seen = seen_from_camera(hand.parts[part].cone);
     // A finger that points along the ray hides its own tip.

@@ -36,7 +36,7 @@ TEST(RoundCone, RaysEndOnItsSkinWithAnOutwardNormal) {
         const RoundCone cone = any_cone(random);
         const Vec3 direction =
             Vec3(random.uniform(-0.08F, 0.08F), random.uniform(-0.08F, 0.08F), 1.0F).normalized();
-        const float t = intersect(cone, direction);
+        const float t = ConeTracer(cone)(direction);
         if (t < 0.0F) continue;
         ++hits;
         const Vec3 point = t * direction;
@@ -53,7 +53,7 @@ TEST(RoundCone, RaysThatMissPassAllOfIt) {
         const RoundCone cone = any_cone(random);
         const Vec3 direction =
             Vec3(random.uniform(-0.08F, 0.08F), random.uniform(-0.08F, 0.08F), 1.0F).normalized();
-        if (intersect(cone, direction) > 0.0F) continue;
+        if (ConeTracer(cone)(direction) > 0.0F) continue;
         for (float t = 0.9F; t < 1.2F; t += 0.001F)
             EXPECT_GT(distance_by_search(cone, t * direction), -2e-5F);
     }

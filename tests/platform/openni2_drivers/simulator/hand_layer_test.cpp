@@ -30,9 +30,8 @@ struct Drawn {
 float depth_by_part(const Drawn& drawn, const HandPart& part, const Vec3& ray) {
     const RoundCone cone{drawn.view.to_camera(part.cone.a), drawn.view.to_camera(part.cone.b),
                          part.cone.radius_a, part.cone.radius_b};
-    const float inverse = 1.0F / ray.norm();
-    const float t = intersect(cone, ray * inverse);
-    return t > 0.0F ? t * inverse : 1e9F;
+    const float z = ConeTracer(cone)(ray);
+    return z > 0.0F ? z : 1e9F;
 }
 
 TEST(HandLayer, SpansMissNoPixelOfAnyPart) {
