@@ -111,7 +111,8 @@ TableFrame Perception::process(const DepthFrame& frame) {
     shown.scan_frames_done = result.scan_frames_done;
     shown.scan_frames_wanted = options_.config.interaction.scan_frames;
     shown.note = result.note;
-    shown.view = std::make_shared<ShadedView>(pipeline_->view());
+    if (result.state != InteractionState::starting)
+        shown.view = std::make_shared<ShadedView>(pipeline_->view());
     if (const auto& area = pipeline_->area()) {
         shown.has_area = true;
         shown.area_px = area_corners_px(*area, intrinsics_);

@@ -14,7 +14,7 @@ struct InteractiveAreaConfig {
     float plane_tolerance_m = 0.012f;  ///< of the dominant plane
     float standing_height_m = 0.30f;   ///< things up to this height above the plane belong to the area
     float cell_m = 0.02f;              ///< grid in which the largest filled rectangle is sought
-    float margin_m = 0.01f;            ///< taken off each side of it
+    float margin_m = 0.02f;            ///< taken off each side: border cells are filled in part
     float min_side_m = 0.10f;          ///< a smaller rectangle is none
 };
 

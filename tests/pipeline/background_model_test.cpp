@@ -1,0 +1,79 @@
+#include "pipeline/background_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/analytic_scene.hpp"
+#include "tests/support/map_access.hpp"
+
+namespace touchstone {
+namespace {
+
+TEST(FitVolume, HoldsWhatTheFirstFrameSees) {
+    const Intrinsics k = test::small_camera(320, 240);
+    const std::vector<float> depth_m =
+        test::render_depth_m(k, test::plane(Eigen::Vector3f(0.0f, 0.4f, 1.0f).normalized(), 1.2f));
+    const auto placement = fit_volume({test::to_mm(depth_m), k}, 4.5f);
+    ASSERT_TRUE(placement.has_value());
+    EXPECT_GE(placement->side_m, 1.0f);
+    EXPECT_LE(placement->side_m, 5.0f);
+    int outside = 0;
+    for (int y = 0; y < k.height_px; ++y) {
+        for (int x = 0; x < k.width_px; ++x) {
+            const Eigen::Vector3f p_c =
+                depth_m[static_cast<std::size_t>(y * k.width_px + x)] * test::pixel_ray(k, x, y);
+            const Eigen::Vector3f p_g = placement->T_g_c * p_c;
+            outside += p_g.minCoeff() < 0.0f || p_g.maxCoeff() > placement->side_m;
+        }
+    }
+    EXPECT_LT(outside, k.width_px * k.height_px / 50);
+}
+
+TEST(FitVolume, SmallAndLargeScenesKeepTheSideWithinItsLimits) {
+    const Intrinsics k = test::small_camera(160, 120);
+    const auto pixels = static_cast<std::size_t>(k.width_px * k.height_px);
+    EXPECT_FLOAT_EQ(fit_volume({std::vector<std::uint16_t>(pixels, 500), k}, 4.5f)->side_m, 1.0f);
+    EXPECT_LE(fit_volume({std::vector<std::uint16_t>(pixels, 6000), k}, 8.0f)->side_m, 5.0f * 1.32f);
+}
+
+TEST(FitVolume, NothingSeenGivesNothing) {
+    const Intrinsics k = test::small_camera(160, 120);
+    const std::vector<std::uint16_t> empty(static_cast<std::size_t>(k.width_px * k.height_px), 0);
+    EXPECT_FALSE(fit_volume({empty, k}, 4.5f).has_value());
+}
+
+class FollowTest : public testing::Test {
+  protected:
+    Buffer<float> depth_map(float depth_m) {
+        const std::vector<float> picture(static_cast<std::size_t>(k.width_px * k.height_px), depth_m);
+        return Buffer<float>(device, test::padded<float>(shape, picture));
+    }
+    float center_depth_m(const BackgroundModel& model) {
+        return model.prediction().depth_m.read()[map_index(shape, k.width_px / 2, k.height_px / 2)];
+    }
+
+    Device device{DeviceConfig{}};
+    Intrinsics k = test::small_camera(160, 120);
+    MapShape shape = make_map_shape(k);
+};
+
+TEST_F(FollowTest, MovesWithASlowChangeButNotUnderTheMask) {
+    BackgroundConfig config;
+    config.volume.size_vox = 128;
+    config.refresh_parts = 2;
+    VolumePlacement placement{1.28f, RigidTransform::Identity()};
+    placement.T_g_c.translation() = Eigen::Vector3f(0.64f, 0.64f, -0.36f);
+    BackgroundModel model(device, config, k, placement);
+    const Buffer<float> before = depth_map(1.0f), after = depth_map(1.006f);
+    for (int frame = 0; frame < 10; ++frame) model.scan(before);
+    EXPECT_NEAR(center_depth_m(model), 1.0f, 0.001f);
+    Buffer<std::uint8_t> mask(device, map_pixels(shape));
+    mask.fill(255);
+    for (int frame = 0; frame < 40; ++frame) model.follow(after, mask);
+    EXPECT_NEAR(center_depth_m(model), 1.0f, 0.001f) << "masked pixels changed the background";
+    mask.fill(0);
+    for (int frame = 0; frame < 200; ++frame) model.follow(after, mask);
+    EXPECT_NEAR(center_depth_m(model), 1.006f, 0.0015f);
+}
+
+}  // namespace
+}  // namespace touchstone

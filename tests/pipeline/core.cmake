@@ -1,0 +1,3 @@
+touchstone_test(pipeline_core_test
+    SOURCES background_model_test.cpp interaction_pipeline_test.cpp interactive_area_test.cpp rendering_test.cpp self_test_test.cpp
+    LIBRARIES touchstone_pipeline touchstone_simulator)
