@@ -24,12 +24,18 @@ float FingertipTracking::seconds_since_last(std::uint64_t timestamp_us) const {
     return std::clamp(static_cast<float>(timestamp_us - last_us_) * 1e-6f, 0.005f, 0.2f);
 }
 
+Vector3f FingertipTracking::expected_center_m(const Track& track, float dt_s) {
+    const Vector3f step = dt_s * static_cast<float>(1 + track.missed) * track.velocity_m_s;
+    const float below_m = -(track.tip.height_m + step.dot(track.tip.normal_c));
+    return track.tip.shape.center_m + step + std::clamp(below_m, 0.0f, step.norm()) * track.tip.normal_c;
+}
+
 std::vector<KnownFinger> FingertipTracking::expected(std::uint64_t timestamp_us) const {
     const float dt_s = seconds_since_last(timestamp_us);
     std::vector<KnownFinger> known;
     for (const Track& track : tracks_) {
         FingerShape shape = track.tip.shape;
-        shape.center_m += dt_s * static_cast<float>(1 + track.missed) * track.velocity_m_s;
+        shape.center_m = expected_center_m(track, dt_s);
         known.push_back({shape, track.radius, config_.axis_sigma});
     }
     return known;
@@ -39,10 +45,11 @@ std::vector<int> FingertipTracking::assign(std::span<const FingertipCandidate> t
     std::vector<std::tuple<float, std::size_t, std::size_t>> pairs;
     for (std::size_t t = 0; t < tracks_.size(); ++t) {
         const Track& track = tracks_[t];
-        const Vector3f step = dt_s * track.velocity_m_s;
-        const float gate = track.age < 2 ? config_.new_gate_m : config_.gate_m + config_.gate_s * step.norm();
+        const Vector3f expected = expected_center_m(track, dt_s);
+        const float step_m = (expected - track.tip.shape.center_m).norm();
+        const float gate = track.age < 2 ? config_.new_gate_m : config_.gate_m + config_.gate_steps * step_m;
         for (std::size_t i = 0; i < tips.size(); ++i) {
-            const float distance = (tips[i].shape.center_m - track.tip.shape.center_m - step).norm();
+            const float distance = (tips[i].shape.center_m - expected).norm();
             if (distance <= gate) pairs.emplace_back(distance, t, i);
         }
     }

@@ -15,7 +15,7 @@ struct FingertipTrackingConfig {
     float down_m = 0.0045f;          ///< pad lower than this: contact
     float up_m = 0.008f;             ///< pad higher than this: no contact any more
     float gate_m = 0.045f;           ///< a finger moves at most this far from where it is expected ...
-    float gate_s = 0.5f;             ///< ... plus this times its predicted step
+    float gate_steps = 0.5f;         ///< ... plus this times its predicted step
     float new_gate_m = 0.07f;        ///< the same in the second frame, when its speed is not known: 2 m/s
     int bridged_frames = 3;          ///< a finger out of sight this long is still followed
     int least_age_frames = 2;        ///< seen this often before it may touch
@@ -56,6 +56,8 @@ class FingertipTracking {
         bool down = false;
     };
 
+    /// Where a track's round end should be now: straight on, but not through the surface.
+    static Eigen::Vector3f expected_center_m(const Track& track, float dt_s);
     float seconds_since_last(std::uint64_t timestamp_us) const;
     std::vector<int> assign(std::span<const FingertipCandidate> tips, float dt_s) const;
     void follow(Track& track, const FingertipCandidate& tip, float dt_s) const;

@@ -1,0 +1,160 @@
+#include "pipeline/fingertip_tracking.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3f;
+
+/// A table one metre away that faces the camera, 0.6 x 0.4 m of it interactive.
+class Tracking : public testing::Test {
+  protected:
+    static FingertipCandidate tip(float x_m, float y_m, float height_m) {
+        FingertipCandidate candidate;
+        candidate.surface_c_m = {x_m, y_m, 1.0f};
+        candidate.normal_c = {0.0f, 0.0f, -1.0f};
+        candidate.height_m = height_m;
+        candidate.shape.center_m = {x_m, y_m, 1.0f - height_m - 0.0075f};
+        candidate.shape.axis = Vector3f(0.0f, 0.7f, -0.7f).normalized();
+        candidate.shape.radius_m = 0.0075f;
+        candidate.points = 60;
+        return candidate;
+    }
+    TrackedTouches frame(const std::vector<FingertipCandidate>& tips) {
+        time_us += 33333;
+        return tracking.update(tips, area, k, time_us);
+    }
+
+    Intrinsics k{575.8f, 575.8f, 319.5f, 239.5f, 640, 480, {0, 0}};
+    InteractiveArea area{Vector3f(-0.3f, -0.2f, 1.0f), Vector3f(0.6f, 0.0f, 0.0f),
+                         Vector3f(0.0f, 0.4f, 0.0f)};
+    FingertipTracking tracking{FingertipTrackingConfig{}};
+    std::uint64_t time_us = 1'000'000;
+};
+
+TEST_F(Tracking, DownMoveAndUpComeOnceEachInOrder) {
+    EXPECT_TRUE(frame({tip(0.0f, 0.0f, 0.04f)}).touches.empty());
+    const auto hover = frame({tip(0.0f, 0.0f, 0.02f)});
+    ASSERT_EQ(hover.hovers.size(), 1u);
+    EXPECT_NEAR(hover.hovers[0].tip.height_m, 0.02f, 1e-6f);
+    const auto down = frame({tip(0.0f, 0.0f, 0.0f)});
+    ASSERT_EQ(down.touches.size(), 1u);
+    EXPECT_EQ(down.touches[0].phase, TouchPhase::down);
+    EXPECT_TRUE(down.hovers.empty());
+    EXPECT_EQ(down.touches[0].tip.id, hover.hovers[0].tip.id);
+    EXPECT_EQ(frame({tip(0.002f, 0.0f, 0.0f)}).touches.at(0).phase, TouchPhase::move);
+    const auto up = frame({tip(0.002f, 0.0f, 0.02f)});
+    ASSERT_EQ(up.touches.size(), 1u);
+    EXPECT_EQ(up.touches[0].phase, TouchPhase::up);
+    EXPECT_NEAR(up.touches[0].tip.surface_c_m.x(), 0.002f, 1e-6f);
+    const auto after = frame({tip(0.0f, 0.0f, 0.03f)});
+    EXPECT_TRUE(after.touches.empty());
+    EXPECT_EQ(after.hovers.at(0).tip.id, hover.hovers[0].tip.id);
+}
+
+TEST_F(Tracking, ATapOfOneFrameCounts) {
+    frame({tip(0.0f, 0.0f, 0.07f)});
+    frame({tip(0.0f, 0.0f, 0.03f)});
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.001f)}).touches.at(0).phase, TouchPhase::down);
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.03f)}).touches.at(0).phase, TouchPhase::up);
+}
+
+TEST_F(Tracking, ContactEndsHigherThanItBegins) {
+    frame({tip(0.0f, 0.0f, 0.02f)});
+    EXPECT_TRUE(frame({tip(0.0f, 0.0f, 0.0065f)}).touches.empty());
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.003f)}).touches.at(0).phase, TouchPhase::down);
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.0065f)}).touches.at(0).phase, TouchPhase::move);
+}
+
+TEST_F(Tracking, ADragOfHalfAMetreASecondKeepsItsId) {
+    frame({tip(-0.2f, 0.0f, 0.02f)});
+    std::set<int> ids;
+    for (int i = 0; i < 20; ++i) {
+        const auto out = frame({tip(-0.2f + 0.017f * static_cast<float>(i), 0.0f, 0.0f)});
+        for (const TouchEvent& touch : out.touches) {
+            EXPECT_NE(touch.phase, TouchPhase::up);
+            ids.insert(touch.tip.id);
+        }
+    }
+    EXPECT_EQ(ids.size(), 1u);
+}
+
+TEST_F(Tracking, TwoFingersThatCrossKeepTheirIds) {
+    std::vector<int> first, second;
+    for (int i = 0; i < 20; ++i) {
+        const float x = -0.1f + 0.010f * static_cast<float>(i);
+        const auto out = frame({tip(x, 0.0f, 0.0f), tip(-x, 0.012f, 0.0f)});
+        for (const TouchEvent& touch : out.touches)
+            (touch.tip.surface_c_m.y() < 0.006f ? first : second).push_back(touch.tip.id);
+    }
+    EXPECT_EQ(std::set<int>(first.begin(), first.end()).size(), 1u);
+    EXPECT_EQ(std::set<int>(second.begin(), second.end()).size(), 1u);
+}
+
+TEST_F(Tracking, AHiddenFingerIsUnknownNotUp) {
+    frame({tip(0.0f, 0.0f, 0.01f)});
+    const int id = frame({tip(0.0f, 0.0f, 0.0f)}).touches.at(0).tip.id;
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(frame({}).touches.at(0).phase, TouchPhase::move);
+    const auto back = frame({tip(0.003f, 0.0f, 0.0f)});
+    ASSERT_EQ(back.touches.size(), 1u);
+    EXPECT_EQ(back.touches[0].phase, TouchPhase::move);
+    EXPECT_EQ(back.touches[0].tip.id, id);
+}
+
+TEST_F(Tracking, AFingerThatStaysAwayGoesUpOnce) {
+    frame({tip(0.0f, 0.0f, 0.01f)});
+    frame({tip(0.0f, 0.0f, 0.0f)});
+    int ups = 0;
+    for (int i = 0; i < 10; ++i)
+        for (const TouchEvent& touch : frame({}).touches) ups += touch.phase == TouchPhase::up;
+    EXPECT_EQ(ups, 1);
+}
+
+TEST_F(Tracking, WhatWasSeenOnceDoesNotTouch) {
+    EXPECT_TRUE(frame({tip(0.0f, 0.0f, 0.0f)}).touches.empty());
+    EXPECT_TRUE(frame({tip(0.2f, 0.1f, 0.0f)}).touches.empty());
+}
+
+TEST_F(Tracking, OutsideTheAreaNothingIsReported) {
+    for (int i = 0; i < 4; ++i) {
+        const auto out = frame({tip(0.4f, 0.0f, 0.0f), tip(0.0f, 0.3f, 0.02f)});
+        EXPECT_TRUE(out.touches.empty());
+        EXPECT_TRUE(out.hovers.empty());
+    }
+}
+
+TEST_F(Tracking, PlacesAreGivenInAreaAndPicture) {
+    frame({tip(0.14f, -0.1f, 0.02f)});
+    const auto out = frame({tip(0.15f, -0.1f, 0.0f)});
+    ASSERT_EQ(out.touches.size(), 1u);
+    EXPECT_NEAR(out.touches[0].tip.area_uv.x(), 0.75f, 1e-4f);
+    EXPECT_NEAR(out.touches[0].tip.area_uv.y(), 0.25f, 1e-4f);
+    EXPECT_NEAR(out.touches[0].tip.pixel_px.x(), 319.5f + 0.15f * 575.8f, 0.01f);
+}
+
+TEST_F(Tracking, ARadiusIsLearned) {
+    for (int i = 0; i < 30; ++i) {
+        FingertipCandidate thick = tip(0.0f, 0.0f, 0.02f);
+        thick.shape.radius_m = i % 2 == 0 ? 0.0085f : 0.0095f;
+        frame({thick});
+    }
+    const auto known = tracking.expected(time_us + 33333);
+    ASSERT_EQ(known.size(), 1u);
+    EXPECT_NEAR(known[0].radius.radius_m, 0.009f, 1.5e-4f);
+    EXPECT_LT(known[0].radius.sigma_m, 3e-4f);
+}
+
+TEST_F(Tracking, ReleaseEndsEveryTouchOnce) {
+    frame({tip(0.0f, 0.0f, 0.02f), tip(0.1f, 0.0f, 0.02f)});
+    frame({tip(0.0f, 0.0f, 0.0f), tip(0.1f, 0.0f, 0.02f)});
+    const auto ups = tracking.release_all();
+    ASSERT_EQ(ups.size(), 1u);
+    EXPECT_EQ(ups[0].phase, TouchPhase::up);
+    EXPECT_TRUE(tracking.release_all().empty());
+    EXPECT_TRUE(frame({}).touches.empty());
+}
+
+}  // namespace
+}  // namespace touchstone
