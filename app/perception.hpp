@@ -9,6 +9,7 @@
 #include "app/frame_outputs.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "platform/camera/depth_camera.hpp"
+#include "platform/camera/sensor_session.hpp"
 #include "platform/output/touch_sink.hpp"
 #include "ui/table_frame.hpp"
 
@@ -37,6 +38,7 @@ class Perception {
 
     RunOptions options_;
     Device device_;
+    SensorSession session_;  ///< for the whole life: loading OpenNI2 anew is slow and loses memory
     std::optional<DepthCamera> camera_;
     std::unique_ptr<InteractionPipeline> pipeline_;
     std::vector<std::unique_ptr<TouchSink>> sinks_;
