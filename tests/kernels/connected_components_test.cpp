@@ -84,6 +84,14 @@ TEST(ConnectedComponents, RandomDepthsPartNeighbours) {
     expect_the_flood_fills_components(scene);
 }
 
+/// Depths one step apart are connected, two steps are not: three links of a square need not imply the fourth.
+TEST(ConnectedComponents, DepthsThatAreConnectedOnlyThroughOthers) {
+    std::mt19937 random(6);
+    Scene scene = paint(130, 77, [&](int, int) { return random() % 10 < 9 ? 1 : 0; });
+    for (float& z : scene.depth_m) z = 0.8f + 0.008f * static_cast<float>(random() % 4);
+    expect_the_flood_fills_components(scene);
+}
+
 TEST(ConnectedComponents, EmptyAndFullPictures) {
     expect_the_flood_fills_components(paint(100, 50, [](int, int) { return 0; }));
     expect_the_flood_fills_components(paint(640, 480, [](int, int) { return 1; }));
