@@ -56,10 +56,11 @@ inline BrickView view_brick(const int brick, const VolumeParams volume, const In
 }
 
 /* Class of the bricks of the layers first_layer ... along y against the tile ranges. One brick a work-item: global size
- * (bricks_per_side, layers, bricks_per_side). */
+ * (bricks_per_side rounded up, layers, bricks_per_side). */
 __kernel void classify_bricks(__global const float2* ranges_m, __global uchar* classes, const int first_layer,
                               const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const int n = volume.bricks_per_side, x = (int)get_global_id(0), z = (int)get_global_id(2);
+    if (x >= n) return;
     const int brick = (z * n + first_layer + (int)get_global_id(1)) * n + x;
     const BrickView view = view_brick(brick, volume, k, shape, T_c_g, 0.0f);
     const int tiles_per_row = shape.pitch_px / TILE_PX;
@@ -79,9 +80,11 @@ __kernel void classify_bricks(__global const float2* ranges_m, __global uchar* c
 }
 
 /* Raises the flag of every tile whose rays can read a voxel of the given bricks. One brick a work-item. */
-__kernel void flag_brick_tiles(__global const int* bricks, __global uchar* flags, const VolumeParams volume,
+__kernel void flag_brick_tiles(__global const int* bricks, const int count, __global uchar* flags, const VolumeParams volume,
                                const Intrinsics k, const MapShape shape, const Pose T_c_g) {
-    const BrickView view = view_brick(bricks[get_global_id(0)], volume, k, shape, T_c_g, 2.0f * volume.voxel_m);
+    const int i = (int)get_global_id(0);
+    if (i >= count) return;
+    const BrickView view = view_brick(bricks[i], volume, k, shape, T_c_g, 2.0f * volume.voxel_m);
     for (int ty = view.tiles.z; ty <= view.tiles.w; ++ty) {
         for (int tx = view.tiles.x; tx <= view.tiles.y; ++tx) flags[ty * (shape.pitch_px / TILE_PX) + tx] = 1;
     }
@@ -89,11 +92,12 @@ __kernel void flag_brick_tiles(__global const int* bricks, __global uchar* flags
 
 /* Where rays of each tile start and end, as the bits of positive floats: over the bricks that hold a point behind a surface,
  * two voxels wider, so that a ray meets the last positive voxel first. One brick a work-item. */
-__kernel void brick_range_image(__global const int* bricks, __global const uchar* has_inside, __global int* nearest,
-                                __global int* farthest, const VolumeParams volume, const Intrinsics k,
+__kernel void brick_range_image(__global const int* bricks, const int count, __global const uchar* has_inside,
+                                __global int* nearest, __global int* farthest, const VolumeParams volume, const Intrinsics k,
                                 const MapShape shape, const Pose T_c_g) {
-    if (!has_inside[get_global_id(0)]) return;
-    const BrickView view = view_brick(bricks[get_global_id(0)], volume, k, shape, T_c_g, 2.0f * volume.voxel_m);
+    const int i = (int)get_global_id(0);
+    if (i >= count || !has_inside[i]) return;
+    const BrickView view = view_brick(bricks[i], volume, k, shape, T_c_g, 2.0f * volume.voxel_m);
     for (int ty = view.tiles.z; ty <= view.tiles.w; ++ty) {
         for (int tx = view.tiles.x; tx <= view.tiles.y; ++tx) {
             const int tile = ty * (shape.pitch_px / TILE_PX) + tx;

@@ -76,8 +76,9 @@ std::span<const float> ColumnDrift::update(const LiveMaps& live, const SurfacePr
                                            const Foreground& foreground) {
     const DriftParams params{bin_per_m(config_), next_row_, config_.row_step, 0};
     next_row_ = (next_row_ + 1) % config_.row_step;
-    column_residuals_.launch({{static_cast<std::size_t>(shape_.pitch_px / 8), DRIFT_ZONES, 1}}, live.depth_m,
-                             background.depth_m, foreground.background_mask, counts_, sums_, shape_, params);
+    column_residuals_.launch(
+        {{static_cast<std::size_t>(shape_.pitch_px / 8), DRIFT_ZONES, 1}, {2, DRIFT_ZONES, 1}}, live.depth_m,
+        background.depth_m, foreground.background_mask, counts_, sums_, shape_, params);
     estimate_shifts();
     const float limit = config_.max_shift_steps * config_.disparity_step_per_m;
     for (std::size_t column = 0; column < shift_per_m_.size(); ++column) {

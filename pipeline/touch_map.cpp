@@ -17,9 +17,10 @@ void TouchMapping::update(const Buffer<float>& live_m, const Buffer<std::uint8_t
     map.touch.fill(0);
     for (const PixelRegion& box : boxes) {
         if (box.empty()) continue;
-        const int origin_x = box.x0 / 8 * 8, origin_y = box.y0;
-        const auto columns = ceil_div(static_cast<std::size_t>(box.x1 - origin_x), 8);
-        const LaunchSize size{{columns, static_cast<std::size_t>(box.height_px()), 1}};
+        const int origin_x = box.x0 / TILE_PX * TILE_PX, origin_y = box.y0 / TILE_PX * TILE_PX;
+        const auto columns = round_up(static_cast<std::size_t>(box.x1 - origin_x), TILE_PX) / 8;
+        const auto rows = round_up(static_cast<std::size_t>(box.y1 - origin_y), TILE_PX);
+        const LaunchSize size{{columns, rows, 1}, {2, TILE_PX, 1}};
         touch_map_.launch(size, live_m, mask, background.depth_m, background.normals_c, map.height_m,
                           map.touch, origin_x, origin_y, intrinsics_, shape_, params_);
     }

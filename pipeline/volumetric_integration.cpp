@@ -43,12 +43,12 @@ void VolumetricIntegration::classify(const TsdfVolume& volume, const Buffer<floa
                                      const Pose& T_c_g, const BrickLayers& layers) {
     const auto tiles_x = static_cast<std::size_t>(tiles_per_row(shape_));
     const auto tiles_y = static_cast<std::size_t>(shape_.rows_px / TILE_PX);
-    depth_tile_ranges_.launch({{tiles_x, tiles_y, 1}}, depth_m, tile_ranges_m_, shape_);
+    depth_tile_ranges_.launch({{tiles_x, tiles_y, 1}, {1, 1, 1}}, depth_m, tile_ranges_m_, shape_);
     const auto side = static_cast<std::size_t>(volume.params().bricks_per_side);
     const auto count = static_cast<std::size_t>(layers.count);
     if (classes_.size() < side * count * side) classes_ = Buffer<std::uint8_t>(*device_, side * count * side);
-    classify_bricks_.launch({{side, count, side}}, tile_ranges_m_, classes_, layers.first, volume.params(),
-                            intrinsics_, shape_, T_c_g);
+    classify_bricks_.launch({{round_up(side, 64), count, side}, {64, 1, 1}}, tile_ranges_m_, classes_,
+                            layers.first, volume.params(), intrinsics_, shape_, T_c_g);
 }
 
 void VolumetricIntegration::select_bricks(TsdfVolume& volume, const BrickLayers& layers) {

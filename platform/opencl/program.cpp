@@ -71,9 +71,7 @@ void save_binary(const cl::Program& program, const std::filesystem::path& path) 
 
 void Kernel::enqueue(const LaunchSize& size) {
     const cl::NDRange global(size.global[0], size.global[1], size.global[2]);
-    const bool chosen = size.local[0] > 0;
-    const cl::NDRange local =
-        chosen ? cl::NDRange(size.local[0], size.local[1], size.local[2]) : cl::NullRange;
+    const cl::NDRange local(size.local[0], size.local[1], size.local[2]);
     device_->queue().enqueueNDRangeKernel(kernel_, cl::NullRange, global, local);
 }
 
