@@ -1,6 +1,8 @@
 /* Listing 4: touch map. The background's ray was cast by Listing 3 and is cached as the surface prediction; overlap is
  * tested on the signed distance to the background along its normal instead of the distance along the ray. */
 
+#define HOLE_PX 8
+
 typedef struct Surface8 {
     Points8 v, n;
     int8 known;
@@ -22,6 +24,25 @@ inline Surface8 gather_surface8(__global const float* depth_m, __global const fl
     return s;
 }
 
+/* Where a lane of s is unknown, the first known surface among four pixels around: holes of the prediction are narrow and
+ * lie along edges. */
+inline Surface8 fill_from_around8(const Surface8 s, __global const float* depth_m, __global const float* normals_c,
+                                  const Intrinsics k, const MapShape shape, const int8 pixel, const int8 wanted) {
+    const int2 offsets[4] = {(int2)(HOLE_PX, 0), (int2)(-HOLE_PX, 0), (int2)(0, HOLE_PX), (int2)(0, -HOLE_PX)};
+    Surface8 filled = s;
+    for (int i = 0; i < 4 && any(wanted & ~filled.known); ++i) {
+        const int8 row = pixel / shape.pitch_px + offsets[i].y, column = pixel % shape.pitch_px + offsets[i].x;
+        const int8 inside = (column >= 0) & (row >= 0) & (column < shape.width_px) & (row < shape.height_px);
+        const int8 near = select((int8)(-1), row * shape.pitch_px + column, inside & wanted & ~filled.known);
+        const Surface8 other = gather_surface8(depth_m, normals_c, k, shape, near);
+        filled.v.x = select(filled.v.x, other.v.x, other.known), filled.n.x = select(filled.n.x, other.n.x, other.known);
+        filled.v.y = select(filled.v.y, other.v.y, other.known), filled.n.y = select(filled.n.y, other.n.y, other.known);
+        filled.v.z = select(filled.v.z, other.v.z, other.known), filled.n.z = select(filled.n.z, other.n.z, other.known);
+        filled.known |= other.known;
+    }
+    return filled;
+}
+
 inline float8 height_over8(const Surface8 s, const Points8 v) {
     return (v.x - s.v.x) * s.n.x + ((v.y - s.v.y) * s.n.y + (v.z - s.v.z) * s.n.z);
 }
@@ -37,7 +58,7 @@ inline int8 foot_pixel8(const Surface8 s, const Points8 v, const float8 height_m
 }
 
 /* Eight pixels a work-item; global size (width / 8, height) of a rectangle of the map that starts at (origin_x, origin_y),
- * origin_x a multiple of 8. height_m is UNKNOWN_HEIGHT_M where the live depth or the background is missing. */
+ * origin_x a multiple of 8. height_m is UNKNOWN_HEIGHT_M where the live depth or the background around is missing. */
 __kernel void touch_map(__global const float* live_m, __global const uchar* mask, __global const float* background_m,
                         __global const float* normals_c, __global float* height_m, __global uchar* touch, const int origin_x,
                         const int origin_y, const Intrinsics k, const MapShape shape, const TouchMapParams params) {
@@ -46,16 +67,20 @@ __kernel void touch_map(__global const float* live_m, __global const uchar* mask
     const float8 z = vload8(0, live_m + at);
     const Points8 v_fg = back_project8(k, x, y, z);  // L4:1
     const int8 here = convert_int8_rte(lanes8()) + at;
-    Surface8 bg = gather_surface8(background_m, normals_c, k, shape, here);  // L4:3
+    const Surface8 hit = gather_surface8(background_m, normals_c, k, shape, here);  // L4:3
+    Surface8 bg = fill_from_around8(hit, background_m, normals_c, k, shape, here, z > 0.0f);
     const int8 used = (z > 0.0f) & bg.known;                                 // L4:4
     float8 height = height_over8(bg, v_fg);
     for (int i = 0; i < 2 && any(used); ++i) {
         const int8 pixel = select((int8)(-1), foot_pixel8(bg, v_fg, height, k, shape), used);
         const Surface8 foot = gather_surface8(background_m, normals_c, k, shape, pixel);  // L4:5
-        height = select(height, height_over8(foot, v_fg), foot.known);
-        bg.v.x = select(bg.v.x, foot.v.x, foot.known), bg.n.x = select(bg.n.x, foot.n.x, foot.known);
-        bg.v.y = select(bg.v.y, foot.v.y, foot.known), bg.n.y = select(bg.n.y, foot.n.y, foot.known);
-        bg.v.z = select(bg.v.z, foot.v.z, foot.known), bg.n.z = select(bg.n.z, foot.n.z, foot.known);
+        const float8 foot_height = height_over8(foot, v_fg);
+        // What the camera sees in front of the background is not below it: that plane belongs to something else.
+        const int8 better = foot.known & ((foot_height > 0.0f) | (height < 0.0f));
+        height = select(height, foot_height, better);
+        bg.v.x = select(bg.v.x, foot.v.x, better), bg.n.x = select(bg.n.x, foot.n.x, better);
+        bg.v.y = select(bg.v.y, foot.v.y, better), bg.n.y = select(bg.n.y, foot.n.y, better);
+        bg.v.z = select(bg.v.z, foot.v.z, better), bg.n.z = select(bg.n.z, foot.n.z, better);
     }
     const float8 sigma_m = sigma_z8(params.noise, z);
     const float8 threshold_m = params.finger_thickness_m + params.threshold_sigmas * sigma_m;

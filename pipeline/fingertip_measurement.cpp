@@ -158,7 +158,7 @@ std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture,
     if (!looks_like_finger(census, fit, config)) return std::nullopt;
     const SurfacePoint foot = foot_point(picture, fit.shape.center_m);
     if (!foot.known) return std::nullopt;
-    const float center_height_m = foot.normal_c.dot(fit.shape.center_m - foot.point_c_m);
+    const float center_height_m = (fit.shape.center_m - foot.point_c_m).norm();
     const float window_m = config.window_px * end.seed_m.z() / picture.intrinsics.fx_px;
     FingertipCandidate tip;
     tip.shape = fit.shape;
@@ -166,6 +166,7 @@ std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture,
     tip.surface_c_m = foot.point_c_m;
     tip.height_m = center_height_m + ridge_offset_m(end, fit.shape, config) - fit.shape.radius_m -
                    2.0f * window_m - local_drift_m(picture, foot, config.drift);
+    if (tip.height_m < -config.most_below_m) return std::nullopt;
     tip.rms_sigmas = fit.rms_sigmas;
     tip.points = fit.inliers;
     return tip;

@@ -29,6 +29,8 @@ struct FingertipMeasurementConfig {
     float ridge_half_radii = 0.5f;  ///< ... and to each side of it
     float most_ridge_m = 0.004f;    ///< a ridge farther off the fit is none
     LocalDriftConfig drift;
+    float most_below_m =
+        0.010f;  ///< a pad farther below the surface is a wrong fit: four sigmas of its height
     float known_reach_m = 0.025f;  ///< a followed finger this close is the same one
 };
 

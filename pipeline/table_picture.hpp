@@ -39,7 +39,8 @@ SurfacePoint background_at(const TablePicture& picture, int x, int y);
 /// sigma_z of a measurement at this depth, for a surface that faces the camera.
 float sigma_z_m(const SensorNoise& noise, float depth_m);
 
-/// The foot point of a camera-frame point on the background, along the background's normal.
+/// The point of the background nearest to a point in front of it, by search from coarse to fine: also right
+/// beside things that stand on the surface, where tangent planes lead astray. Unknown outside the picture.
 SurfacePoint foot_point(const TablePicture& picture, const Eigen::Vector3f& point_c_m);
 
 }  // namespace touchstone

@@ -11,9 +11,12 @@ TouchDetection::TouchDetection(const Device& device, const TouchDetectionConfig&
       tracking_(config.tracking) {}
 
 TrackedTouches TouchDetection::detect(const TouchInput& input) {
-    mapping_.update(input.live.filtered_m, input.mask, input.background, input.regions, map_);
+    std::vector<PixelRegion> regions;
+    for (const PixelRegion& region : input.regions)
+        regions.push_back(grown(region, config_.margin_px, intrinsics_.width_px, intrinsics_.height_px));
+    mapping_.update(input.live.filtered_m, input.mask, input.background, regions, map_);
     candidates_.clear();
-    if (!input.regions.empty()) {
+    if (!regions.empty()) {
         const auto live = input.live.depth_m.map_read();
         const auto height = map_.height_m.map_read();
         const auto background = input.background.depth_m.map_read();
@@ -21,8 +24,8 @@ TrackedTouches TouchDetection::detect(const TouchInput& input) {
         const auto mask = input.mask.map_read();
         const TablePicture picture{intrinsics_,     map_.shape,          config_.map.noise, live.values(),
                                    height.values(), background.values(), normals.values(),  mask.values()};
-        candidates_ = detect_fingertips(picture, input.regions, tracking_.expected(input.timestamp_us),
-                                        config_.fingertips);
+        candidates_ =
+            detect_fingertips(picture, regions, tracking_.expected(input.timestamp_us), config_.fingertips);
     }
     return tracking_.update(candidates_, input.area, intrinsics_, input.timestamp_us);
 }

@@ -14,6 +14,7 @@
 namespace touchstone {
 
 struct TouchDetectionConfig {
+    int margin_px = 4;  ///< around the foreground's regions: its edges are lost to the mask
     TouchMapConfig map;
     FingertipDetectionConfig fingertips;
     FingertipTrackingConfig tracking;

@@ -22,7 +22,7 @@ struct TouchMap {
 
     MapShape shape;
     /// Signed distance of the live point to the background, positive on the camera's side; UNKNOWN_HEIGHT_M
-    /// where the live depth or the background is missing. Only inside the boxes of the last update.
+    /// where the live depth or the background around is missing. Only inside the boxes of the last update.
     Buffer<float> height_m;
     /// 255 where the foreground overlaps the background, else 0; the whole picture.
     Buffer<std::uint8_t> touch;
