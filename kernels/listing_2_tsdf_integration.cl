@@ -32,5 +32,5 @@ __kernel void integrate(__global const int* slots, __global const int* brick_of_
     const float8 average = (voxel_tsdf8(old) * old_weight_f + tsdf) / (old_weight_f + 1.0f);  // L2:13
     const int8 packed = pack_voxels8(average, weight, (old >> 24) & 0xff);
     vstore8(select(old, packed, used), 0, voxels);  // L2:14
-    if (any(used & (average < 0.0f))) has_inside[slot] = 1;
+    if (any(used & (average <= 0.0f))) has_inside[slot] = 1;
 }

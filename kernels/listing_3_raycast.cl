@@ -2,7 +2,7 @@
  * A work-group is one 16x16 tile, a work-item eight rays along x. t is the depth z of the ray's point (PAPER.md#5). */
 
 typedef struct Crossing8 {
-    float8 before, after; /* depths of the last positive and the first negative sample */
+    float8 before, after; /* depths of the last positive sample and the first that is not */
     float8 share;         /* of the way between them, where a straight line is zero */
     int8 found;
 } Crossing8;
@@ -36,7 +36,7 @@ inline Crossing8 walk8(__global const int* table, __global const int* pool, cons
         const int8 voxel = read_voxels8(table, pool, volume, x, y, z);
         const int8 known = inside & (voxel_weight8(voxel) > 0);
         const float8 tsdf = select((float8)(0.0f), voxel_tsdf8(voxel), known);
-        const int8 hit = live & known & (tsdf < 0.0f) & (before > 0.0f);
+        const int8 hit = live & known & (tsdf <= 0.0f) & (before > 0.0f);
         crossing.before = select(crossing.before, t_before, hit);
         crossing.after = select(crossing.after, t, hit);
         crossing.share = select(crossing.share, before / (before - tsdf), hit);
@@ -52,22 +52,25 @@ inline Crossing8 walk8(__global const int* table, __global const int* pool, cons
 }
 
 /* From the walk's crossing to the zero of the trilinear TSDF by Newton steps along the ray, whose slope the sample's
- * gradient gives; a step is at most a voxel. -1 in ok where the surface was found to a tenth of a voxel. */
+ * gradient gives; a step is at most a voxel. Rays that have come to a tenth of a voxel rest; -1 in ok where in the end the
+ * surface is at most half a voxel away. */
 inline float8 refine8(__global const int* table, __global const int* pool, const VolumeParams volume,
                       const Points8 origin, const Points8 direction, const float8 voxel_step, const Crossing8 c,
                       Points8* gradient, int8* ok) {
     const float tolerance = 0.1f * volume.voxel_m / volume.max_truncation_m;
     const float8 most = voxel_step;
     float8 t = c.before + (c.after - c.before) * c.share;
+    int8 arrived = (int8)(0);
     *ok = (int8)(0);
-    for (int i = 0; i < 6 && !all(*ok | ~c.found); ++i) {
+    for (int i = 0; i < 6 && !all(arrived | ~c.found); ++i) {
         const Sample8 s = sample_trilinear8(table, pool, volume, ray_points8(origin, direction, t));
         const float8 slope = dot8(s.gradient, direction);
         const int8 descends = s.known & (slope < -1e-6f);
         const float8 newton = clamp(-s.tsdf / select((float8)(-1.0f), slope, descends), -most, most);
         const float8 step = select(select((float8)(0.0f), -0.5f * most, s.known), newton, descends);
-        const int8 searching = ~*ok;
-        *ok |= descends & (fabs(s.tsdf) < tolerance);
+        const int8 searching = ~arrived;
+        arrived |= descends & (fabs(s.tsdf) < tolerance);
+        *ok = arrived | (s.known & (fabs(s.tsdf) < 5.0f * tolerance));
         t += select((float8)(0.0f), step, searching);
         gradient->x = select(gradient->x, s.gradient.x, searching);
         gradient->y = select(gradient->y, s.gradient.y, searching);
