@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "tests/accuracy/touch_score.hpp"
+
+namespace touchstone {
+
+/// Runs the program headless, every frame, on a simulated table and scores its touches: `scene` flat, curved,
+/// cluttered, bowl or mixed; two hands, Kinect noise and drift. Throws std::runtime_error where the program
+/// fails.
+TouchScore scored_run(const std::string& program, const std::string& scene, int seed, int frames);
+
+}  // namespace touchstone
