@@ -25,25 +25,26 @@ inline Crossing8 walk8(__global const int* table, __global const int* pool, cons
     crossing.found = (int8)(0);
     const float scale = 0.8f * volume.max_truncation_m / volume.voxel_m;
     const float size = (float)volume.size_vox;
-    float8 t = (float8)(start), t_before = t, before = (float8)(0.0f);
+    float8 t = (float8)(start), t_before = t, before = (float8)(0.0f);  // L3:5 L3:6
     int8 live = (int8)(-1);
-    for (int step = 0; step < 4096 && any(live); ++step) {
+    for (int step = 0; step < 4096 && any(live); ++step) {  // L3:10
         const Points8 p = ray_points8(origin, direction, t);
+        // L3:9
         const int8 inside = (p.x >= 0.0f) & (p.y >= 0.0f) & (p.z >= 0.0f) & (p.x < size) & (p.y < size) & (p.z < size);
         const int8 x = convert_int8_rtz(select((float8)(0.0f), p.x, inside));
         const int8 y = convert_int8_rtz(select((float8)(0.0f), p.y, inside));
         const int8 z = convert_int8_rtz(select((float8)(0.0f), p.z, inside));
-        const int8 voxel = read_voxels8(table, pool, volume, x, y, z);
+        const int8 voxel = read_voxels8(table, pool, volume, x, y, z);  // L3:12
         const int8 known = inside & (voxel_weight8(voxel) > 0);
         const float8 tsdf = select((float8)(0.0f), voxel_tsdf8(voxel), known);
-        const int8 hit = live & known & (tsdf <= 0.0f) & (before > 0.0f);
+        const int8 hit = live & known & (tsdf <= 0.0f) & (before > 0.0f);  // L3:13
         crossing.before = select(crossing.before, t_before, hit);
         crossing.after = select(crossing.after, t, hit);
         crossing.share = select(crossing.share, before / (before - tsdf), hit);
         crossing.found |= hit;
         live &= ~hit & ~(known & (tsdf > 0.0f) & (before < 0.0f));
         t_before = t;
-        before = tsdf;
+        before = tsdf;  // L3:11
         const float8 known_step = fmax(1.0f, scale * tsdf);
         t += voxel_step * select((float8)(2.0f), known_step, known);
         live &= t < end;
@@ -83,13 +84,14 @@ __kernel void raycast(__global const int* tiles, __global const int* tile_near, 
                       __global const int* table, __global const int* pool, const VolumeParams volume, const Intrinsics k,
                       const MapShape shape, const Pose T_g_c, __global float* depth_m, __global float* normals_c) {
     const int tile = tiles[get_group_id(0)], item = (int)get_local_id(0), per_row = shape.pitch_px / TILE_PX;
+    // L3:1
     const int x = tile % per_row * TILE_PX + (item & 1) * 8, y = tile / per_row * TILE_PX + (item >> 1);
     const float start = as_float(tile_near[tile]), end = as_float(tile_far[tile]);
     const float to_vox = 1.0f / volume.voxel_m;
     const Points8 ray_c = pixel_rays8(k, x, y);
-    Points8 direction = rotate_vectors8(T_g_c, ray_c);
+    Points8 direction = rotate_vectors8(T_g_c, ray_c);  // L3:3 L3:4
     direction.x *= to_vox, direction.y *= to_vox, direction.z *= to_vox;
-    Points8 origin;
+    Points8 origin;  // L3:2
     origin.x = (float8)(T_g_c.row_x.w * to_vox);
     origin.y = (float8)(T_g_c.row_y.w * to_vox);
     origin.z = (float8)(T_g_c.row_z.w * to_vox);
@@ -100,8 +102,8 @@ __kernel void raycast(__global const int* tiles, __global const int* tile_near, 
         const Crossing8 crossing = walk8(table, pool, volume, origin, direction, voxel_step, start, end);
         Points8 gradient = n;
         int8 ok;
-        const float8 t = refine8(table, pool, volume, origin, direction, voxel_step, crossing, &gradient, &ok);
-        // R^T turns the gradient into the camera frame.
+        const float8 t = refine8(table, pool, volume, origin, direction, voxel_step, crossing, &gradient, &ok);  // L3:14
+        // The gradient is the normal (L3:16); R^T turns it into the camera frame.
         n.x = T_g_c.row_x.x * gradient.x + T_g_c.row_y.x * gradient.y + T_g_c.row_z.x * gradient.z;
         n.y = T_g_c.row_x.y * gradient.x + T_g_c.row_y.y * gradient.y + T_g_c.row_z.y * gradient.z;
         n.z = T_g_c.row_x.z * gradient.x + T_g_c.row_y.z * gradient.y + T_g_c.row_z.z * gradient.z;
@@ -111,7 +113,7 @@ __kernel void raycast(__global const int* tiles, __global const int* tile_near, 
         n.x *= scale, n.y *= scale, n.z *= scale;
         const float8 columns = lanes8() + (float)x;
         const int8 in_picture = (columns < (float)shape.width_px) & (int8)(y < shape.height_px ? -1 : 0);
-        depth = select((float8)(0.0f), t, hit & in_picture);
+        depth = select((float8)(0.0f), t, hit & in_picture);  // L3:15
     }
     const int plane = shape.pitch_px * shape.rows_px, at = y * shape.pitch_px + x;
     vstore8(depth, 0, depth_m + at);

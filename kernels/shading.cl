@@ -38,7 +38,7 @@ __kernel void shade_view(__global const float* background_m, __global const floa
     const float8 depth_m = vload8(0, background_m + at);
     const int8 moving = convert_int8(vload8(0, foreground + at)) != 0;
     const Points8 n = load_normals8(background_normals_c, shape, at);
-    Colour8 colour = phong8(n, ray_c, params.background, params.light_c);
+    Colour8 colour = phong8(n, ray_c, params.background, params.light_c);  // L3:17
     const Colour8 unknown = {(float8)(params.unknown.x), (float8)(params.unknown.y), (float8)(params.unknown.z)};
     colour = choose8(unknown, colour, depth_m > 0.0f);
     if (any(moving)) {
