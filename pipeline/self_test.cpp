@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/background_model.hpp"
+#include "pipeline/column_drift.hpp"
 #include "pipeline/depth_map_conversion.hpp"
 #include "pipeline/foreground_segmentation.hpp"
 #include "pipeline/rendering.hpp"
@@ -56,6 +57,7 @@ class SelfTest {
         segmentation.learn(live_, background.prediction());
         conversion_.convert({wall_mm(true), camera}, live_);
         check_foreground(segmentation, background.prediction());
+        check_drift(segmentation, background.prediction());
     }
 
   private:
@@ -97,6 +99,19 @@ class SelfTest {
         const auto alpha =
             static_cast<std::size_t>(4 * ((square_first_px + 5) * width_px + square_first_px + 5) + 3);
         expect_near("shading", static_cast<float>(view.rgba[alpha]), 0.0f, 0.0f);
+    }
+
+    /// The whole wall seems 3 mm farther: each column is to be drawn back by a share of that in 1/z.
+    void check_drift(ForegroundSegmentation& segmentation, const SurfacePrediction& background) {
+        const std::vector<std::uint16_t> drifted_mm(width_px * height_px, 1003);
+        conversion_.convert({drifted_mm, camera}, live_);
+        ColumnDriftConfig config;
+        config.row_step = 1;
+        ColumnDrift drift(device_, config, camera);
+        const float column_shift =
+            drift.update(live_, background, segmentation.segment(live_, background))[width_px * 3 / 4 - 1];
+        const float expected_per_m = config.gain * (1.0f / wall_m - 1.0f / 1.003f);
+        expect_near("column_drift", column_shift / expected_per_m, 1.0f, 0.2f);
     }
 
     const Device& device_;

@@ -130,8 +130,9 @@ TEST_P(SegmentationKernels, ColumnResidualsAgreeWithTheReference) {
     Buffer<float> counts(device, cells), sums(device, cells);
     load_kernel_program(device, "column_drift.cl")
         .kernel("column_residuals")
-        .launch({{static_cast<std::size_t>(shape.pitch_px / 8), DRIFT_ZONES, 1}, {2, DRIFT_ZONES, 1}}, upload(device, live),
-                upload(device, model), upload(device, excluded), counts, sums, shape, params);
+        .launch({{static_cast<std::size_t>(shape.pitch_px / 8), DRIFT_ZONES, 1}, {2, DRIFT_ZONES, 1}},
+                upload(device, live), upload(device, model), upload(device, excluded), counts, sums, shape,
+                params);
     const std::vector<float> found = counts.read(), found_sums = sums.read();
     for (int zone = 0; zone < DRIFT_ZONES; ++zone) {
         for (int x = 0; x < width_px; ++x) {
