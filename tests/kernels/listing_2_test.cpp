@@ -5,24 +5,13 @@
 #include "pipeline/volumetric_integration.hpp"
 #include "tests/support/analytic_scene.hpp"
 #include "tests/support/map_access.hpp"
+#include "tests/support/small_volume.hpp"
 
 namespace touchstone {
 namespace {
 
-VolumeConfig small_volume() {
-    VolumeConfig config;
-    config.size_vox = 64;
-    config.side_m = 0.64f;
-    config.max_weight = 3;
-    return config;
-}
-
-RigidTransform pose_in_front() {
-    RigidTransform T_g_c = RigidTransform::Identity();
-    T_g_c.translate(Eigen::Vector3f(0.33f, 0.30f, -0.35f));
-    T_g_c.rotate(Eigen::AngleAxisf(0.2f, Eigen::Vector3f(0.3f, 1.0f, 0.2f).normalized()));
-    return T_g_c;
-}
+using test::pose_in_front;
+using test::small_volume;
 
 struct Scene {
     Intrinsics k = test::small_camera();
@@ -74,7 +63,7 @@ TEST(Listing2, AgreesWithTheDenseReferenceOverSeveralFrames) {
     for (std::size_t pixel = 2000; pixel < 2600; ++pixel) scene.mask[pixel] = 255;
     const Buffer<float> depth(device, test::padded<float>(scene.shape, scene.depth_m));
     const Buffer<std::uint8_t> mask(device, test::padded<std::uint8_t>(scene.shape, scene.mask));
-    TsdfVolume volume(device, small_volume());
+    TsdfVolume volume(device, small_volume(3));
     reference::DenseVolume dense(volume.params());
     VolumetricIntegration integration(device, scene.k);
     for (int frame = 0; frame < 5; ++frame) {
@@ -94,7 +83,7 @@ TEST(Listing2, AgreesWithTheDenseReferenceOverSeveralFrames) {
 TEST(Listing2, OneFrameEqualsTheReferenceInEveryBrick) {
     const Device device(DeviceConfig{});
     const Scene scene;
-    TsdfVolume volume(device, small_volume());
+    TsdfVolume volume(device, small_volume(3));
     reference::DenseVolume dense(volume.params());
     VolumetricIntegration integration(device, scene.k);
     const Buffer<float> depth(device, test::padded<float>(scene.shape, scene.depth_m));
@@ -111,7 +100,7 @@ TEST(Listing2, OneFrameEqualsTheReferenceInEveryBrick) {
 TEST(Listing2, MaskedAndInvalidPixelsChangeNothing) {
     const Device device(DeviceConfig{});
     const Scene scene;
-    TsdfVolume volume(device, small_volume());
+    TsdfVolume volume(device, small_volume(3));
     VolumetricIntegration integration(device, scene.k);
     const Buffer<float> depth(device, test::padded<float>(scene.shape, scene.depth_m));
     Buffer<std::uint8_t> mask(device, map_pixels(scene.shape));
@@ -120,7 +109,7 @@ TEST(Listing2, MaskedAndInvalidPixelsChangeNothing) {
     for (const int voxel : volume.pool().read()) ASSERT_EQ(voxel, 0);
     Buffer<float> nothing(device, map_pixels(scene.shape));
     nothing.fill(0.0f);
-    TsdfVolume empty(device, small_volume());
+    TsdfVolume empty(device, small_volume(3));
     EXPECT_TRUE(integration.integrate(empty, nothing, mask, pose_in_front(), all_layers(empty)).empty());
     EXPECT_EQ(empty.bricks_in_use(), 0);
 }
@@ -130,7 +119,7 @@ TEST(Listing2, SlicesTogetherEqualTheWhole) {
     const Scene scene;
     const Buffer<float> depth(device, test::padded<float>(scene.shape, scene.depth_m));
     const Buffer<std::uint8_t> mask(device, test::padded<std::uint8_t>(scene.shape, scene.mask));
-    TsdfVolume whole(device, small_volume()), sliced(device, small_volume());
+    TsdfVolume whole(device, small_volume(3)), sliced(device, small_volume(3));
     VolumetricIntegration integration(device, scene.k);
     integration.integrate(whole, depth, mask, pose_in_front(), all_layers(whole));
     for (int part = 0; part < 3; ++part) {
@@ -153,7 +142,7 @@ TEST(Listing2, PoolLimitIsSaidAndSurvived) {
     const Scene scene;
     const Buffer<float> depth(device, test::padded<float>(scene.shape, scene.depth_m));
     const Buffer<std::uint8_t> mask(device, test::padded<std::uint8_t>(scene.shape, scene.mask));
-    VolumeConfig config = small_volume();
+    VolumeConfig config = small_volume(3);
     config.max_bricks = 20;
     TsdfVolume volume(device, config);
     VolumetricIntegration integration(device, scene.k);

@@ -6,23 +6,13 @@
 #include "pipeline/volumetric_integration.hpp"
 #include "tests/support/analytic_scene.hpp"
 #include "tests/support/map_access.hpp"
+#include "tests/support/small_volume.hpp"
 
 namespace touchstone {
 namespace {
 
-VolumeConfig small_volume() {
-    VolumeConfig config;
-    config.size_vox = 64;
-    config.side_m = 0.64f;
-    return config;
-}
-
-RigidTransform pose_in_front() {
-    RigidTransform T_g_c = RigidTransform::Identity();
-    T_g_c.translate(Eigen::Vector3f(0.33f, 0.30f, -0.35f));
-    T_g_c.rotate(Eigen::AngleAxisf(0.1f, Eigen::Vector3f(0.3f, 1.0f, 0.2f).normalized()));
-    return T_g_c;
-}
+using test::pose_in_front;
+using test::small_volume;
 
 class Listing3 : public testing::Test {
   protected:
