@@ -20,7 +20,8 @@ __kernel void depth_tile_ranges(__global const float* depth_m, __global float2* 
 }
 
 typedef struct BrickView {
-    int4 tiles; /* first and last tile in x, then in y; empty where .y < .x */
+    int4 pixels; /* first and last column, first and last row */
+    int4 tiles;  /* the same in tiles; empty where .y < .x */
     float near_m, far_m;
 } BrickView;
 
@@ -41,7 +42,7 @@ inline BrickView view_brick(const int brick, const VolumeParams volume, const In
     BrickView view;
     view.near_m = depth_m - half_extent(T_c_g.row_z, half_m);
     view.far_m = depth_m + half_extent(T_c_g.row_z, half_m);
-    view.tiles = (int4)(0, -1, 0, -1);
+    view.pixels = view.tiles = (int4)(0, -1, 0, -1);
     if (!(view.near_m > 0.05f)) return view;
     const float2 focal = (float2)(k.fx_px, k.fy_px), principal = (float2)(k.cx_px, k.cy_px);
     const float2 low = focal * (center - extent), high = focal * (center + extent);
@@ -49,27 +50,43 @@ inline BrickView view_brick(const int brick, const VolumeParams volume, const In
     const float2 last = fmax(high / view.near_m, high / view.far_m) + principal + 0.5f;
     const float2 size = (float2)((float)shape.width_px, (float)shape.height_px);
     if (!(first.x < size.x && first.y < size.y && last.x >= 0.0f && last.y >= 0.0f)) return view;
-    const int2 a = convert_int2_rtz(fmax(first, 0.0f)) / TILE_PX;
-    const int2 b = convert_int2_rtz(fmin(last, size - 1.0f)) / TILE_PX;
-    view.tiles = (int4)(a.x, b.x, a.y, b.y);
+    const int2 a = convert_int2_rtz(fmax(first, 0.0f)), b = convert_int2_rtz(fmin(last, size - 1.0f));
+    view.pixels = (int4)(a.x, b.x, a.y, b.y);
+    view.tiles = view.pixels / TILE_PX;
     return view;
 }
 
+/* Whether a pixel of a tile that the brick covers has a depth within low_m to high_m. */
+inline bool has_depth_within(__global const float* depth_m, const MapShape shape, const int tx, const int ty,
+                             const int4 pixels, const float low_m, const float high_m) {
+    const int x0 = max(tx * TILE_PX, pixels.x & ~7), x1 = min(tx * TILE_PX + TILE_PX - 1, pixels.y);
+    const int y0 = max(ty * TILE_PX, pixels.z), y1 = min(ty * TILE_PX + TILE_PX - 1, pixels.w);
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; x += 8) {
+            const float8 z = vload8(0, depth_m + y * shape.pitch_px + x);
+            if (any((z > 0.0f) & (z >= low_m) & (z <= high_m))) return true;
+        }
+    }
+    return false;
+}
+
 /* Class of the bricks of the layers first_layer ... along y against the tile ranges. One brick a work-item: global size
- * (bricks_per_side rounded up, layers, bricks_per_side). */
-__kernel void classify_bricks(__global const float2* ranges_m, __global uchar* classes, const int first_layer,
+ * (bricks_per_side rounded up, layers, bricks_per_side). A tile with an edge in it spans much depth: its pixels decide. */
+__kernel void classify_bricks(__global const float* depth_m, __global const float2* ranges_m, __global uchar* classes, const int first_layer,
                               const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const int n = volume.bricks_per_side, x = (int)get_global_id(0), z = (int)get_global_id(2);
     if (x >= n) return;
     const int brick = (z * n + first_layer + (int)get_global_id(1)) * n + x;
     const BrickView view = view_brick(brick, volume, k, shape, T_c_g, 0.0f);
     const int tiles_per_row = shape.pitch_px / TILE_PX;
+    const float low_m = view.near_m - volume.min_truncation_m, high_m = view.far_m + volume.max_truncation_m;
     uchar result = BRICK_HIDDEN;
     for (int ty = view.tiles.z; ty <= view.tiles.w && result != BRICK_NEAR_SURFACE; ++ty) {
         for (int tx = view.tiles.x; tx <= view.tiles.y; ++tx) {
             const float2 range = ranges_m[ty * tiles_per_row + tx];
-            if (range.y <= 0.0f || view.near_m > range.y + volume.min_truncation_m) continue;
-            if (view.far_m >= range.x - volume.max_truncation_m) {
+            if (range.y <= 0.0f || range.y < low_m) continue;
+            const bool wide = range.y - range.x > volume.max_truncation_m;
+            if (range.x <= high_m && (!wide || has_depth_within(depth_m, shape, tx, ty, view.pixels, low_m, high_m))) {
                 result = BRICK_NEAR_SURFACE;
                 break;
             }

@@ -47,8 +47,8 @@ void VolumetricIntegration::classify(const TsdfVolume& volume, const Buffer<floa
     const auto side = static_cast<std::size_t>(volume.params().bricks_per_side);
     const auto count = static_cast<std::size_t>(layers.count);
     if (classes_.size() < side * count * side) classes_ = Buffer<std::uint8_t>(*device_, side * count * side);
-    classify_bricks_.launch({{round_up(side, 64), count, side}, {64, 1, 1}}, tile_ranges_m_, classes_,
-                            layers.first, volume.params(), intrinsics_, shape_, T_c_g);
+    classify_bricks_.launch({{round_up(side, 64), count, side}, {64, 1, 1}}, depth_m, tile_ranges_m_,
+                            classes_, layers.first, volume.params(), intrinsics_, shape_, T_c_g);
 }
 
 void VolumetricIntegration::select_bricks(TsdfVolume& volume, const BrickLayers& layers) {
