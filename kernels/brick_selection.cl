@@ -56,22 +56,25 @@ inline BrickView view_brick(const int brick, const VolumeParams volume, const In
     return view;
 }
 
-/* Whether a pixel of a tile that the brick covers has a depth within low_m to high_m. */
-inline bool has_depth_within(__global const float* depth_m, const MapShape shape, const int tx, const int ty,
+/* How many pixels of a tile that the brick covers have a depth within low_m to high_m. */
+inline int count_depths_within(__global const float* depth_m, const MapShape shape, const int tx, const int ty,
                              const int4 pixels, const float low_m, const float high_m) {
     const int x0 = max(tx * TILE_PX, pixels.x & ~7), x1 = min(tx * TILE_PX + TILE_PX - 1, pixels.y);
     const int y0 = max(ty * TILE_PX, pixels.z), y1 = min(ty * TILE_PX + TILE_PX - 1, pixels.w);
+    int8 count = (int8)(0);
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; x += 8) {
             const float8 z = vload8(0, depth_m + y * shape.pitch_px + x);
-            if (any((z > 0.0f) & (z >= low_m) & (z <= high_m))) return true;
+            count -= (z > 0.0f) & (z >= low_m) & (z <= high_m);
         }
     }
-    return false;
+    const int4 c4 = count.lo + count.hi;
+    return c4.x + c4.y + c4.z + c4.w;
 }
 
 /* Class of the bricks of the layers first_layer ... along y against the tile ranges. One brick a work-item: global size
- * (bricks_per_side rounded up, layers, bricks_per_side). A tile with an edge in it spans much depth: its pixels decide. */
+ * (bricks_per_side rounded up, layers, bricks_per_side). A tile with an edge in it spans much depth: its pixels
+ * decide, and single ones, that fly between the edge's two sides, do not. */
 __kernel void classify_bricks(__global const float* depth_m, __global const float2* ranges_m, __global uchar* classes, const int first_layer,
                               const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const int n = volume.bricks_per_side, x = (int)get_global_id(0), z = (int)get_global_id(2);
@@ -81,12 +84,16 @@ __kernel void classify_bricks(__global const float* depth_m, __global const floa
     const int tiles_per_row = shape.pitch_px / TILE_PX;
     const float low_m = view.near_m - volume.min_truncation_m, high_m = view.far_m + volume.max_truncation_m;
     uchar result = BRICK_HIDDEN;
+    int edge_pixels = 0;
     for (int ty = view.tiles.z; ty <= view.tiles.w && result != BRICK_NEAR_SURFACE; ++ty) {
         for (int tx = view.tiles.x; tx <= view.tiles.y; ++tx) {
             const float2 range = ranges_m[ty * tiles_per_row + tx];
             if (range.y <= 0.0f || range.y < low_m) continue;
             const bool wide = range.y - range.x > volume.max_truncation_m;
-            if (range.x <= high_m && (!wide || has_depth_within(depth_m, shape, tx, ty, view.pixels, low_m, high_m))) {
+            if (range.x <= high_m && wide) {
+                edge_pixels += count_depths_within(depth_m, shape, tx, ty, view.pixels, low_m, high_m);
+            }
+            if (range.x <= high_m && (!wide || edge_pixels >= BRICK_EDGE_PIXELS)) {
                 result = BRICK_NEAR_SURFACE;
                 break;
             }

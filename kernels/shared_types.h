@@ -54,6 +54,7 @@ typedef struct VolumeParams {
 } VolumeParams;
 
 /* What a brick is to the present depth picture. */
+#define BRICK_EDGE_PIXELS 6
 enum BrickClass { BRICK_HIDDEN = 0, BRICK_NEAR_SURFACE = 1, BRICK_FREE_SPACE = 2 };
 
 /* A voxel is one int: bits 0-15 TSDF / max_truncation * TSDF_SCALE, bits 16-23 weight (0 = unknown),

@@ -1,5 +1,7 @@
 #include "pipeline/interaction_pipeline.hpp"
 
+#include "platform/system/log.hpp"
+
 namespace touchstone {
 
 namespace {
@@ -84,6 +86,9 @@ void InteractionPipeline::scan(InteractionFrame& frame) {
     frame.scan_frames_done = scanned_frames_;
     frame.scan_progress = static_cast<float>(scanned_frames_) / static_cast<float>(config_.scan_frames);
     if (scanned_frames_ < config_.scan_frames) return;
+    const TsdfVolume& volume = background_->volume();
+    log_info("scanned: {} bricks of {:.1f} mm voxels, {:.0f} MB", volume.bricks_in_use(),
+             1000.0f * volume.params().voxel_m, static_cast<double>(volume.memory_bytes()) / 1e6);
     area_ = config_.fit_area ? fit_interactive_area(background_->prediction(), intrinsics_, config_.area_fit)
                              : std::optional(config_.area);
     if (!area_) area_ = whole_view_area(background_->prediction(), intrinsics_);
