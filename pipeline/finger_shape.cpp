@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace touchstone {
 
@@ -11,7 +12,8 @@ namespace {
 
 using Eigen::Vector3f;
 using Vector6f = Eigen::Matrix<float, 6, 1>;
-using Matrix6f = Eigen::Matrix<float, 6, 6>;
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 /// A point against the shape: place along the axis (0 over the round end), outward direction, distance.
 struct Residual {
@@ -37,10 +39,12 @@ std::pair<Vector3f, Vector3f> sideways(const Vector3f& axis) {
 }
 
 struct NormalEquations {
-    Matrix6f JTJ = Matrix6f::Zero();
-    Vector6f JTe = Vector6f::Zero();
+    // Double: the end of a shaft is held by few of the points, and float loses them in the sum.
+    Matrix6d JTJ = Matrix6d::Zero();
+    Vector6d JTe = Vector6d::Zero();
     int points = 0, inliers = 0;
     float square_sum = 0.0f;
+    double cost = 0.0;  ///< of the shape, as Fitter::cost() gives it
 };
 
 class Fitter {
@@ -53,41 +57,88 @@ class Fitter {
         const auto [u, v] = sideways(shape.axis);
         NormalEquations sum;
         for (const Vector3f& p : points_m_) add_point(shape, u, v, p, rough, sum);
-        const float radius_weight = 1.0f / (guess_.radius.sigma_m * guess_.radius.sigma_m);
+        add_priors(shape, u, v, sum);
+        sum.cost += prior_cost(shape);
+        return sum;
+    }
+
+    /// Cost of a shape over the points in the reach of `anchor`, priors included: comparable between
+    /// shapes.
+    double cost(const FingerShape& shape, const FingerShape& anchor, bool rough) const {
+        double sum = 0.0;
+        for (const Vector3f& p : points_m_) {
+            if ((p - anchor.center_m).dot(anchor.axis) > config_.length_m) continue;
+            const Residual r = residual_of(shape, config_, p);
+            sum += loss_of(r.distance_m, variance_of(r, p), rough);
+        }
+        return sum + prior_cost(shape);
+    }
+
+  private:
+    double prior_cost(const FingerShape& shape) const {
+        const double radius = (shape.radius_m - guess_.radius.radius_m) / guess_.radius.sigma_m;
+        const double axis = (shape.axis - guess_.shape.axis).norm() / guess_.axis_sigma;
+        const double outline = guess_.outline.plane_normal.dot(shape.center_m) / guess_.outline.sigma_m;
+        return 0.5 * (radius * radius + axis * axis + outline * outline);
+    }
+
+    float variance_of(const Residual& r, const Vector3f& p) const {
+        const float along_ray = sigma_z_m_ * r.outward.dot(p) / p.norm();
+        return along_ray * along_ray + config_.lateral_sigma_m * config_.lateral_sigma_m;
+    }
+    float gate_of(float variance, bool rough) const {
+        return std::max(rough ? config_.first_gate_m : 0.0f, config_.gate_sigmas * std::sqrt(variance));
+    }
+
+    /// Tukey's loss gives up on what is far off the skin.
+    float weight_of(float distance_m, float variance, bool rough) const {
+        const float gate_m = gate_of(variance, rough);
+        const float share = std::min(1.0f, std::abs(distance_m) / gate_m);
+        return (1.0f - share * share) * (1.0f - share * share) / variance;
+    }
+    float loss_of(float distance_m, float variance, bool rough) const {
+        const float gate_m = gate_of(variance, rough);
+        const float rest = 1.0f - std::min(1.0f, distance_m * distance_m / (gate_m * gate_m));
+        return gate_m * gate_m / 6.0f * (1.0f - rest * rest * rest) / variance;
+    }
+
+    void add_priors(const FingerShape& shape, const Vector3f& u, const Vector3f& v,
+                    NormalEquations& sum) const {
+        const double radius_weight = 1.0 / (guess_.radius.sigma_m * guess_.radius.sigma_m);
         sum.JTJ(5, 5) += radius_weight;
         sum.JTe(5) += radius_weight * (shape.radius_m - guess_.radius.radius_m);
-        const float axis_weight = 1.0f / (guess_.axis_sigma * guess_.axis_sigma);
+        const double axis_weight = 1.0 / (guess_.axis_sigma * guess_.axis_sigma);
         const Vector3f turned = shape.axis - guess_.shape.axis;
         sum.JTJ(3, 3) += axis_weight;
         sum.JTJ(4, 4) += axis_weight;
         sum.JTe(3) += axis_weight * turned.dot(u);
         sum.JTe(4) += axis_weight * turned.dot(v);
-        const Vector3f n = guess_.outline.plane_normal;
-        const float outline_weight = 1.0f / (guess_.outline.sigma_m * guess_.outline.sigma_m);
+        const Eigen::Vector3d n = guess_.outline.plane_normal.cast<double>();
+        const double outline_weight = 1.0 / (guess_.outline.sigma_m * guess_.outline.sigma_m);
         sum.JTJ.topLeftCorner<3, 3>() += outline_weight * n * n.transpose();
-        sum.JTe.head<3>() += outline_weight * n.dot(shape.center_m) * n;
-        return sum;
+        sum.JTe.head<3>() += outline_weight * n.dot(shape.center_m.cast<double>()) * n;
     }
 
-  private:
     void add_point(const FingerShape& shape, const Vector3f& u, const Vector3f& v, const Vector3f& p,
                    bool rough, NormalEquations& sum) const {
         const Residual r = residual_of(shape, config_, p);
         if (r.along_m > config_.length_m) return;
-        const float along_ray = sigma_z_m_ * r.outward.dot(p) / p.norm();
-        const float variance = along_ray * along_ray + config_.lateral_sigma_m * config_.lateral_sigma_m;
-        const float gate_m =
-            std::max(rough ? config_.first_gate_m : 0.0f, config_.gate_sigmas * std::sqrt(variance));
+        const float variance = variance_of(r, p);
+        const float weight = weight_of(r.distance_m, variance, rough);
         ++sum.points;
-        if (std::abs(r.distance_m) > gate_m) return;
-        ++sum.inliers;
-        sum.square_sum += r.distance_m * r.distance_m / variance;
-        const float share = r.distance_m / gate_m;
-        const float weight = (1.0f - share * share) * (1.0f - share * share) / variance;
+        sum.cost += loss_of(r.distance_m, variance, rough);
+        if (std::abs(r.distance_m) <= gate_of(variance, rough)) {
+            ++sum.inliers;
+            sum.square_sum += r.distance_m * r.distance_m / variance;
+        }
+        if (weight <= 0.0f) return;
         Vector6f J;
-        J << -r.outward, -r.along_m * r.outward.dot(u), -r.along_m * r.outward.dot(v), -r.scale;
-        sum.JTJ += weight * J * J.transpose();
-        sum.JTe += weight * r.distance_m * J;
+        J << -r.outward + (r.along_m > 0.0f ? shape.radius_m * config_.widening / config_.length_m : 0.0f) *
+                              shape.axis,
+            -r.along_m * r.outward.dot(u), -r.along_m * r.outward.dot(v), -r.scale;
+        const Vector6d weighted = (weight * J).cast<double>(), J_double = J.cast<double>();
+        sum.JTJ += weighted * J_double.transpose();
+        sum.JTe += static_cast<double>(r.distance_m) * weighted;
     }
 
     std::span<const Vector3f> points_m_;
@@ -108,6 +159,14 @@ FingerShape stepped(const FingerShape& shape, const Vector6f& step, const Finger
     return next;
 }
 
+std::vector<Vector3f> even_choice(std::span<const Vector3f> points_m, int most) {
+    const std::size_t stride = 1 + points_m.size() / static_cast<std::size_t>(most);
+    std::vector<Vector3f> chosen;
+    chosen.reserve(points_m.size() / stride + 1);
+    for (std::size_t i = 0; i < points_m.size(); i += stride) chosen.push_back(points_m[i]);
+    return chosen;
+}
+
 }  // namespace
 
 float distance_m(const FingerShape& shape, const FingerFitConfig& config, const Vector3f& point_m) {
@@ -116,18 +175,27 @@ float distance_m(const FingerShape& shape, const FingerFitConfig& config, const 
 
 FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
                      const FingerFitConfig& config) {
-    const Fitter fitter(points_m, guess, sigma_z_m, config);
+    const std::vector<Vector3f> chosen = even_choice(points_m, config.most_points);
+    const Fitter fitter(chosen, guess, sigma_z_m, config);
     FingerFit fit;
     fit.shape = guess.shape;
+    const int rough_rounds = guess.rough ? config.rough_rounds : 0;
+    double damping = 1e-3;
     for (int round = 0; round < config.rounds; ++round) {
-        const NormalEquations sum = fitter.equations(fit.shape, round < config.rounds / 2);
+        const bool rough = round < rough_rounds;
+        const NormalEquations sum = fitter.equations(fit.shape, rough);
         if (sum.inliers < 12) return fit;
-        const Eigen::LDLT<Matrix6f> solver(sum.JTJ);
-        const Vector6f step = solver.solve(-sum.JTe);
-        if (solver.info() != Eigen::Success || !step.allFinite()) return fit;
-        fit.shape = stepped(fit.shape, step, config);
+        Matrix6d damped = sum.JTJ;
+        damped.diagonal() *= 1.0 + damping;
+        const Vector6f step = damped.ldlt().solve(-sum.JTe).cast<float>();
+        if (!step.allFinite()) return fit;
+        const FingerShape next = stepped(fit.shape, step, config);
+        const bool better = fitter.cost(next, fit.shape, rough) < sum.cost;
+        damping *= better ? 0.1 : 30.0;
+        if (better) fit.shape = next;
+        if (better && !rough && step.head<3>().norm() < config.settled_m) break;
     }
-    const NormalEquations last = fitter.equations(fit.shape, false);
+    const NormalEquations last = Fitter(points_m, guess, sigma_z_m, config).equations(fit.shape, false);
     fit.points = last.points;
     fit.inliers = last.inliers;
     fit.rms_sigmas = std::sqrt(last.square_sum / static_cast<float>(std::max(1, last.inliers)));

@@ -30,6 +30,7 @@ struct FingerGuess {
     RadiusPrior radius;
     OutlineConstraint outline;
     float axis_sigma = 0.5f;  ///< radians by which the axis may be off
+    bool rough = true;        ///< the shape is a guess, not an earlier fit
 };
 
 struct FingerFitConfig {
@@ -40,7 +41,10 @@ struct FingerFitConfig {
     float lateral_sigma_m = 0.0007f;   ///< of a point's place across the ray: half a pixel at 1 m
     float gate_sigmas = 3.0f;          ///< points farther off the shape do not count
     float first_gate_m = 0.006f;       ///< the same in the first rounds, when the shape is a guess
-    int rounds = 8;
+    int rough_rounds = 4;              ///< with the first gate
+    int rounds = 8;                    ///< at most, in all
+    float settled_m = 5e-5f;           ///< a smaller step ends the fit
+    int most_points = 120;             ///< of more, an even choice is used
 };
 
 struct FingerFit {

@@ -70,10 +70,13 @@ OutlineConstraint outline_of(const Intrinsics& k, const LowEnd& end, const Finge
 FingerFit fit_with_outline(const TablePicture& picture, const LowEnd& end, FingerGuess guess,
                            const FingertipMeasurementConfig& config) {
     const float sigma_m = sigma_z_m(picture.noise, end.seed_m.z());
+    guess.outline = outline_of(picture.intrinsics, end, guess.shape, config);
+    guess.outline.sigma_m *= 3.0f;  // of a guess
     FingerFit fit = fit_finger(end.points_m, guess, sigma_m, config.fit);
     if (!fit.ok) return fit;
     guess.shape.center_m = fit.shape.center_m;
     guess.shape.radius_m = fit.shape.radius_m;
+    guess.rough = false;
     guess.outline = outline_of(picture.intrinsics, end, fit.shape, config);
     return fit_finger(end.points_m, guess, sigma_m, config.fit);
 }
@@ -142,16 +145,22 @@ float ridge_offset_m(const LowEnd& end, const FingerShape& shape, const Fingerti
 std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture, const LowEnd& end,
                                                     std::span<const KnownFinger> known,
                                                     const FingertipMeasurementConfig& config) {
+    if (end.points_m.empty()) return std::nullopt;
     const KnownFinger* before = known_near(end.seed_m, known, config.known_reach_m);
-    const RadiusPrior prior = before != nullptr ? before->radius : RadiusPrior{};
-    FingerFit fit = fit_with_outline(picture, end, guess_from_points(end, prior), config);
-    Census census = census_of(end, fit, config);
+    FingerFit fit;
+    Census census;
     if (before != nullptr) {
-        const FingerGuess guess{before->shape, before->radius, {}, before->axis_sigma};
-        const FingerFit again = fit_with_outline(picture, end, guess, config);
-        const Census counted = census_of(end, again, config);
-        if (again.ok && (!fit.ok || counted.score() > census.score())) {
-            fit = again;
+        const FingerGuess guess{before->shape, before->radius, {}, before->axis_sigma, true};
+        fit = fit_with_outline(picture, end, guess, config);
+        census = census_of(end, fit, config);
+    }
+    // Where it was not followed, or is not where it was expected.
+    if (!fit.ok || static_cast<float>(census.score()) < config.sure_score * static_cast<float>(census.near)) {
+        const RadiusPrior prior = before != nullptr ? before->radius : RadiusPrior{};
+        const FingerFit fresh = fit_with_outline(picture, end, guess_from_points(end, prior), config);
+        const Census counted = census_of(end, fresh, config);
+        if (fresh.ok && (!fit.ok || counted.score() > census.score())) {
+            fit = fresh;
             census = counted;
         }
     }

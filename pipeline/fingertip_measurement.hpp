@@ -30,7 +30,8 @@ struct FingertipMeasurementConfig {
     float most_ridge_m = 0.004f;    ///< a ridge farther off the fit is none
     LocalDriftConfig drift;
     float most_below_m =
-        0.010f;  ///< a pad farther below the surface is a wrong fit: four sigmas of its height
+        0.010f;                ///< a pad farther below the surface is a wrong fit: four sigmas of its height
+    float sure_score = 0.75f;  ///< inliers less unexplained, of the points: a followed finger fits so well
     float known_reach_m = 0.025f;  ///< a followed finger this close is the same one
 };
 

@@ -1,5 +1,8 @@
 #include "pipeline/low_end.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace touchstone {
 
 using Eigen::Vector2f;
@@ -48,16 +51,35 @@ void LowEndFlood::try_step(int from_x, int from_y, int x, int y, LowEnd& end) {
     visit(x, y, end);
 }
 
+/// A quick look that spares the flood: noise inside arms and hands makes many low places.
+bool LowEndFlood::is_surrounded(int x, int y, const Vector3f& seed_m) const {
+    constexpr int directions = 16;
+    const float ring_px = config_.ring_m * picture_.intrinsics.fx_px / seed_m.z();
+    int around = 0;
+    for (int i = 0; i < directions; ++i) {
+        const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / directions;
+        const int u = x + static_cast<int>(std::lround(ring_px * std::cos(angle)));
+        const int v = y + static_cast<int>(std::lround(ring_px * std::sin(angle)));
+        if (!in_picture(picture_, u, v) || !is_foreground(picture_, index_of(picture_, u, v))) continue;
+        around += (point(u, v) - seed_m).norm() < config_.radius_m;
+    }
+    return static_cast<float>(around) > config_.most_of_ring * directions;
+}
+
 LowEnd LowEndFlood::from(int x, int y) {
     LowEnd end;
     end.seed_m = point(x, y);
+    if (is_surrounded(x, y, end.seed_m)) return end;
     const int half_px = static_cast<int>(config_.radius_m * picture_.intrinsics.fx_px / end.seed_m.z()) + 2;
     origin_x_ = x - half_px, origin_y_ = y - half_px;
     side_px_ = 2 * half_px + 1;
     seen_.assign(static_cast<std::size_t>(side_px_ * side_px_), 0);
     stack_.clear();
     visit(x, y, end);
+    const float pixel_m = end.seed_m.z() / picture_.intrinsics.fx_px;
+    const auto most_points = static_cast<std::size_t>(config_.most_area_m2 / (pixel_m * pixel_m));
     while (!stack_.empty()) {
+        if (end.points_m.size() > most_points) return {end.seed_m, {}, {}};
         const auto [from_x, from_y] = stack_.back();
         stack_.pop_back();
         for (const auto& [dx, dy] : steps_px) try_step(from_x, from_y, from_x + dx, from_y + dy, end);

@@ -11,6 +11,9 @@ namespace touchstone {
 struct LowEndConfig {
     float radius_m = 0.034f;       ///< a fingertip and its first joint
     float step_m = 0.012f;         ///< neighbouring pixels farther apart belong to different fingers
+    float most_area_m2 = 0.0020f;  ///< of the points: a finger and its neighbours; more is a palm or an arm
+    float ring_m = 0.022f;         ///< of a ring of pixels around a finger's end ...
+    float most_of_ring = 0.5f;     ///< ... no more is foreground than this
     float edge_height_m = 0.004f;  ///< pixels beside the mask this high are its lost edge
 };
 
@@ -30,9 +33,11 @@ class LowEndFlood {
     LowEndFlood(const TablePicture& picture, const LowEndConfig& config)
         : picture_(picture), config_(config) {}
 
+    /// Without points where the surroundings are too wide for a finger.
     LowEnd from(int x, int y);
 
   private:
+    bool is_surrounded(int x, int y, const Eigen::Vector3f& seed_m) const;
     Eigen::Vector3f point(int x, int y) const;
     std::uint8_t& seen(int x, int y);
     void visit(int x, int y, LowEnd& end);

@@ -39,6 +39,14 @@ FingerGuess rough_guess(const FingerShape& truth) {
     return guess;
 }
 
+/// The plane through the camera and the middle of the round end, across the finger.
+FingerGuess held_by_outline(const FingerShape& truth) {
+    FingerGuess guess = rough_guess(truth);
+    guess.outline.plane_normal = truth.center_m.cross(truth.center_m.cross(truth.axis)).normalized();
+    guess.outline.sigma_m = 0.001f;
+    return guess;
+}
+
 const FingerShape slanted{Vector3f(0.05f, -0.03f, 0.99f), Vector3f(-0.5f, 0.3f, -0.8f).normalized(), 0.0083f};
 
 TEST(FingerShape, DistanceIsThatFromTheSkin) {
@@ -53,7 +61,7 @@ TEST(FingerShape, DistanceIsThatFromTheSkin) {
 TEST(FingerShape, ExactPointsGiveTheFingerBackWithinAFifthOfAMillimetre) {
     const FingerFitConfig config;
     const FingerFit fit =
-        fit_finger(visible_points(slanted, config, 0.0f), rough_guess(slanted), 0.0018f, config);
+        fit_finger(visible_points(slanted, config, 0.0f), held_by_outline(slanted), 0.0018f, config);
     ASSERT_TRUE(fit.ok);
     EXPECT_LT((fit.shape.center_m - slanted.center_m).norm(), 2e-4f);
     EXPECT_NEAR(fit.shape.radius_m, slanted.radius_m, 2e-4f);
@@ -63,7 +71,7 @@ TEST(FingerShape, ExactPointsGiveTheFingerBackWithinAFifthOfAMillimetre) {
 TEST(FingerShape, NoiseOfTheSensorCostsLessThanOneAndAHalfMillimetres) {
     const FingerFitConfig config;
     const FingerFit fit =
-        fit_finger(visible_points(slanted, config, 0.0018f), rough_guess(slanted), 0.0018f, config);
+        fit_finger(visible_points(slanted, config, 0.0018f), held_by_outline(slanted), 0.0018f, config);
     ASSERT_TRUE(fit.ok);
     EXPECT_LT((fit.shape.center_m - slanted.center_m).norm(), 1.5e-3f);
     EXPECT_GT(fit.rms_sigmas, 0.3f);
@@ -74,7 +82,7 @@ TEST(FingerShape, OutliersDoNotPullTheFit) {
     const FingerFitConfig config;
     std::vector<Vector3f> points = visible_points(slanted, config, 0.0005f);
     for (std::size_t i = 0; i < points.size(); i += 5) points[i] += Vector3f(0.0f, 0.015f, 0.02f);
-    const FingerFit fit = fit_finger(points, rough_guess(slanted), 0.0018f, config);
+    const FingerFit fit = fit_finger(points, held_by_outline(slanted), 0.0018f, config);
     ASSERT_TRUE(fit.ok);
     EXPECT_LT((fit.shape.center_m - slanted.center_m).norm(), 1e-3f);
     EXPECT_LT(fit.inliers, static_cast<int>(points.size()) * 9 / 10);
@@ -82,7 +90,7 @@ TEST(FingerShape, OutliersDoNotPullTheFit) {
 
 TEST(FingerShape, AKnownRadiusHolds) {
     const FingerFitConfig config;
-    FingerGuess guess = rough_guess(slanted);
+    FingerGuess guess = held_by_outline(slanted);
     guess.radius = {0.0070f, 1e-5f};
     const FingerFit fit = fit_finger(visible_points(slanted, config, 0.0f), guess, 0.0018f, config);
     EXPECT_NEAR(fit.shape.radius_m, 0.0070f, 1e-4f);
@@ -93,8 +101,7 @@ TEST(FingerShape, TheOutlineHoldsTheEndOfAShaftWithoutItsTip) {
     std::vector<Vector3f> points;
     for (const Vector3f& p : visible_points(slanted, config, 0.0f))
         if ((p - slanted.center_m).dot(slanted.axis) > 0.006f) points.push_back(p);
-    FingerGuess guess = rough_guess(slanted);
-    guess.outline.plane_normal = slanted.center_m.cross(slanted.center_m.cross(slanted.axis)).normalized();
+    FingerGuess guess = held_by_outline(slanted);
     guess.outline.sigma_m = 0.0005f;
     const FingerFit held = fit_finger(points, guess, 0.0018f, config);
     EXPECT_LT(std::abs((held.shape.center_m - slanted.center_m).dot(slanted.axis)), 1.5e-3f);
@@ -102,8 +109,8 @@ TEST(FingerShape, TheOutlineHoldsTheEndOfAShaftWithoutItsTip) {
 
 TEST(FingerShape, TooFewPointsAreNoFinger) {
     const std::vector<Vector3f> points(5, slanted.center_m - 0.008f * Vector3f::UnitZ());
-    EXPECT_FALSE(fit_finger(points, rough_guess(slanted), 0.0018f, {}).ok);
-    EXPECT_FALSE(fit_finger({}, rough_guess(slanted), 0.0018f, {}).ok);
+    EXPECT_FALSE(fit_finger(points, held_by_outline(slanted), 0.0018f, {}).ok);
+    EXPECT_FALSE(fit_finger({}, held_by_outline(slanted), 0.0018f, {}).ok);
 }
 
 }  // namespace

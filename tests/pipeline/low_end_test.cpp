@@ -45,10 +45,15 @@ TEST_F(LowEndFloods, BridgesASingleLostColumn) {
 }
 
 TEST_F(LowEndFloods, StaysWithinItsRadius) {
-    add_block(20, 60, 220, 140, 0.03f);
+    add_block(20, 94, 220, 104, 0.03f);
     for (const Vector3f& p : flood(120, 100).points_m)
         EXPECT_LE((p - Vector3f(0.5f, 0.5f, 0.0f) * 0.97f / 575.8f - Vector3f(0.0f, 0.0f, 0.97f)).norm(),
                   0.0341f);
+}
+
+TEST_F(LowEndFloods, WhatIsTooWideForAFingerHasNoPoints) {
+    add_block(80, 60, 160, 140, 0.03f);
+    EXPECT_TRUE(flood(120, 100).points_m.empty());
 }
 
 TEST_F(LowEndFloods, TakesTheLostEdgeBesideTheMaskButDoesNotGrowFromIt) {
