@@ -191,7 +191,7 @@ FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& gues
         if (!step.allFinite()) return fit;
         const FingerShape next = stepped(fit.shape, step, config);
         const bool better = fitter.cost(next, fit.shape, rough) < sum.cost;
-        damping *= better ? 0.1 : 30.0;
+        damping *= better ? 0.1 : 10.0;
         if (better) fit.shape = next;
         if (better && !rough && step.head<3>().norm() < config.settled_m) break;
     }

@@ -14,8 +14,8 @@ struct FingerShape {
 
 /// What is known of a finger's radius before a fit.
 struct RadiusPrior {
-    float radius_m = 0.0075f;  ///< index fingers of adults: 6 to 9 mm
-    float sigma_m = 0.001f;
+    float radius_m = 0.0078f;  ///< index fingers of adults: 6 to 9 mm, thumbs to 11
+    float sigma_m = 0.0006f;
 };
 
 /// Where the round end must lie from what its outline says: on a plane through the camera.
@@ -39,7 +39,7 @@ struct FingerFitConfig {
     float least_radius_m = 0.005f;     ///< a child's little finger
     float greatest_radius_m = 0.012f;  ///< a thumb
     float lateral_sigma_m = 0.0007f;   ///< of a point's place across the ray: half a pixel at 1 m
-    float gate_sigmas = 3.0f;          ///< points farther off the shape do not count
+    float gate_sigmas = 2.5f;          ///< points farther off the shape do not count
     float first_gate_m = 0.006f;       ///< the same in the first rounds, when the shape is a guess
     int rough_rounds = 4;              ///< with the first gate
     int rounds = 8;                    ///< at most, in all

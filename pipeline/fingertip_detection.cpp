@@ -116,7 +116,19 @@ class Search {
         return lowest;
     }
 
+    /// Whether a pixel is on a finger that was found already.
+    bool is_explained(int x, int y) const {
+        const Eigen::Vector3f point =
+            back_project(picture_.intrinsics, x, y, picture_.live_m[index_of(picture_, x, y)]);
+        const FingerFitConfig& fit = config_.measurement.fit;
+        return std::ranges::any_of(tips_, [&](const FingertipCandidate& tip) {
+            const float along = (point - tip.shape.center_m).dot(tip.shape.axis);
+            return along < fit.length_m && distance_m(tip.shape, fit, point) < config_.measurement.side_gap_m;
+        });
+    }
+
     void look_at(int x, int y) {
+        if (is_explained(x, y)) return;
         const auto tip = measure_fingertip(picture_, flood_.from(x, y), known_, config_.measurement);
         if (tip && tip->height_m <= config_.highest_m) add_distinct(tips_, *tip, config_);
     }

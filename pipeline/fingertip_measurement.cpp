@@ -74,8 +74,7 @@ FingerFit fit_with_outline(const TablePicture& picture, const LowEnd& end, Finge
     guess.outline.sigma_m *= 3.0f;  // of a guess
     FingerFit fit = fit_finger(end.points_m, guess, sigma_m, config.fit);
     if (!fit.ok) return fit;
-    guess.shape.center_m = fit.shape.center_m;
-    guess.shape.radius_m = fit.shape.radius_m;
+    guess.shape = fit.shape;
     guess.rough = false;
     guess.outline = outline_of(picture.intrinsics, end, fit.shape, config);
     return fit_finger(end.points_m, guess, sigma_m, config.fit);
@@ -156,7 +155,7 @@ std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture,
     }
     // Where it was not followed, or is not where it was expected.
     if (!fit.ok || static_cast<float>(census.score()) < config.sure_score * static_cast<float>(census.near)) {
-        const RadiusPrior prior = before != nullptr ? before->radius : RadiusPrior{};
+        const RadiusPrior prior = before != nullptr ? before->radius : config.radius;
         const FingerFit fresh = fit_with_outline(picture, end, guess_from_points(end, prior), config);
         const Census counted = census_of(end, fresh, config);
         if (fresh.ok && (!fit.ok || counted.score() > census.score())) {
@@ -168,13 +167,13 @@ std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture,
     const SurfacePoint foot = foot_point(picture, fit.shape.center_m);
     if (!foot.known) return std::nullopt;
     const float center_height_m = (fit.shape.center_m - foot.point_c_m).norm();
-    const float window_m = config.window_px * end.seed_m.z() / picture.intrinsics.fx_px;
+    const float bias_m = config.radius_bias_px * end.seed_m.z() / picture.intrinsics.fx_px;
     FingertipCandidate tip;
     tip.shape = fit.shape;
     tip.normal_c = foot.normal_c;
     tip.surface_c_m = foot.point_c_m;
     tip.height_m = center_height_m + ridge_offset_m(end, fit.shape, config) - fit.shape.radius_m -
-                   2.0f * window_m - local_drift_m(picture, foot, config.drift);
+                   2.0f * bias_m - local_drift_m(picture, foot, config.drift);
     if (tip.height_m < -config.most_below_m) return std::nullopt;
     tip.rms_sigmas = fit.rms_sigmas;
     tip.points = fit.inliers;

@@ -75,7 +75,7 @@ void FingertipTracking::follow(Track& track, const FingertipCandidate& tip, floa
     ++track.age;
     const float frames = std::min(static_cast<float>(track.age), config_.radius_frames);
     track.radius.radius_m += (tip.shape.radius_m - track.radius.radius_m) / frames;
-    track.radius.sigma_m = std::max(config_.radius_floor_m, RadiusPrior{}.sigma_m / std::sqrt(frames));
+    track.radius.sigma_m = std::max(config_.radius_floor_m, config_.radius_first_sigma_m / std::sqrt(frames));
 }
 
 void FingertipTracking::report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics,
@@ -87,7 +87,7 @@ void FingertipTracking::report(Track& track, const InteractiveArea& area, const 
         const float limit_m = was_down ? config_.up_m : config_.down_m;
         track.down = track.tip.height_m < limit_m && in_area(uv, config_.area_margin) &&
                      (was_down || track.age >= config_.least_age_frames);
-    } else if (track.missed > config_.bridged_frames) {
+    } else if (track.missed > config_.bridged_frames || is_doubled(track)) {
         track.down = false;
     }
     if (was_down && !track.down) {
@@ -108,6 +108,16 @@ void FingertipTracking::report(Track& track, const InteractiveArea& area, const 
     }
 }
 
+bool FingertipTracking::is_followed(const Vector3f& center_m) const {
+    return std::ranges::any_of(tracks_, [&](const Track& track) {
+        return track.missed == 0 && (track.tip.shape.center_m - center_m).norm() < config_.apart_m;
+    });
+}
+
+bool FingertipTracking::is_doubled(const Track& track) const {
+    return track.missed > 0 && is_followed(track.tip.shape.center_m);
+}
+
 TrackedTouches FingertipTracking::update(std::span<const FingertipCandidate> tips,
                                          const InteractiveArea& area, const Intrinsics& intrinsics,
                                          std::uint64_t timestamp_us) {
@@ -124,12 +134,14 @@ TrackedTouches FingertipTracking::update(std::span<const FingertipCandidate> tip
         taken[i] = true;
         follow(tracks_[t], tips[i], dt_s);
     }
+    std::erase_if(tracks_,
+                  [&](const Track& track) { return !track.down && track.missed > 0 && is_doubled(track); });
     for (std::size_t i = 0; i < tips.size(); ++i) {
-        if (taken[i]) continue;
+        if (taken[i] || is_followed(tips[i].shape.center_m)) continue;
         Track track;
         track.id = next_id_++;
         track.tip = tips[i];
-        track.radius.radius_m = tips[i].shape.radius_m;
+        track.radius = {tips[i].shape.radius_m, config_.radius_first_sigma_m};
         tracks_.push_back(track);
     }
     TrackedTouches out;

@@ -12,19 +12,21 @@
 namespace touchstone {
 
 struct FingertipTrackingConfig {
-    float down_m = 0.0045f;          ///< pad lower than this: contact
-    float up_m = 0.008f;             ///< pad higher than this: no contact any more
-    float gate_m = 0.045f;           ///< a finger moves at most this far from where it is expected ...
-    float gate_steps = 0.5f;         ///< ... plus this times its predicted step
-    float new_gate_m = 0.07f;        ///< the same in the second frame, when its speed is not known: 2 m/s
-    int bridged_frames = 3;          ///< a finger out of sight this long is still followed
-    int least_age_frames = 2;        ///< seen this often before it may touch
-    float velocity_gain = 0.6f;      ///< of a new measurement of the velocity
-    float most_speed_m_s = 3.0f;     ///< hands are not faster
-    float radius_frames = 20.0f;     ///< frames over which the radius is averaged
-    float radius_floor_m = 0.0002f;  ///< the radius is never known better
-    float axis_sigma = 0.2f;         ///< radians by which a finger turns in a frame
-    float area_margin = 0.02f;       ///< beyond 0..1 of the interactive area
+    float down_m = 0.0045f;       ///< pad lower than this: contact
+    float up_m = 0.008f;          ///< pad higher than this: no contact any more
+    float gate_m = 0.045f;        ///< a finger moves at most this far from where it is expected ...
+    float gate_steps = 0.5f;      ///< ... plus this times its predicted step
+    float new_gate_m = 0.07f;     ///< the same in the second frame, when its speed is not known: 2 m/s
+    int bridged_frames = 3;       ///< a finger out of sight this long is still followed
+    int least_age_frames = 2;     ///< seen this often before it may touch
+    float apart_m = 0.014f;       ///< two tips closer than this are one finger, seen twice
+    float velocity_gain = 0.6f;   ///< of a new measurement of the velocity
+    float most_speed_m_s = 3.0f;  ///< hands are not faster
+    float radius_first_sigma_m = 0.001f;  ///< of the radius seen in one frame
+    float radius_frames = 20.0f;          ///< frames over which the radius is averaged
+    float radius_floor_m = 0.0003f;       ///< the radius is never known better
+    float axis_sigma = 0.12f;             ///< radians by which a finger turns in a frame
+    float area_margin = 0.05f;            ///< beyond 0..1 of the interactive area
 };
 
 struct TrackedTouches {
@@ -60,6 +62,9 @@ class FingertipTracking {
     static Eigen::Vector3f expected_center_m(const Track& track, float dt_s);
     float seconds_since_last(std::uint64_t timestamp_us) const;
     std::vector<int> assign(std::span<const FingertipCandidate> tips, float dt_s) const;
+    /// Whether a finger seen in this frame is so close that it is the same.
+    bool is_followed(const Eigen::Vector3f& center_m) const;
+    bool is_doubled(const Track& track) const;
     void follow(Track& track, const FingertipCandidate& tip, float dt_s) const;
     void report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics, TrackedTouches& out);
 

@@ -24,13 +24,14 @@ class Flood {
 
     void add(int pixel, int level) {
         at(pixel) = {pixel, 1, level, pixel};
-        for (const int step :
-             {-1, 1, -width_px_, width_px_, -width_px_ - 1, -width_px_ + 1, width_px_ - 1, width_px_ + 1}) {
-            const int neighbour = pixel + step;
-            if (neighbour < 0 || neighbour >= static_cast<int>(basins_.size())) continue;
-            // The step from one row's end to the next row's start is no neighbour.
-            if (std::abs(neighbour % width_px_ - pixel % width_px_) > 1) continue;
-            if (at(neighbour).parent >= 0) join(pixel, neighbour, level);
+        const int x = pixel % width_px_;
+        const int left = x > 0 ? -1 : 0, right = x + 1 < width_px_ ? 1 : 0;
+        for (const int row : {-width_px_, 0, width_px_}) {
+            if (pixel + row < 0 || pixel + row >= static_cast<int>(basins_.size())) continue;
+            for (int step = left; step <= right; ++step) {
+                const int neighbour = pixel + row + step;
+                if (neighbour != pixel && at(neighbour).parent >= 0) join(pixel, neighbour, level);
+            }
         }
     }
 

@@ -12,7 +12,7 @@ using Eigen::Vector3f;
 /// A sensor without a matching window: edges are where they are.
 FingertipDetectionConfig exact_sensor() {
     FingertipDetectionConfig config;
-    config.measurement.window_px = 0.0f;
+    config.measurement.radius_bias_px = 0.0f;
     config.measurement.outline_loss_px = 0.0f;
     return config;
 }

@@ -143,7 +143,16 @@ TEST_F(Tracking, ARadiusIsLearned) {
     const auto known = tracking.expected(time_us + 33333);
     ASSERT_EQ(known.size(), 1u);
     EXPECT_NEAR(known[0].radius.radius_m, 0.009f, 1.5e-4f);
-    EXPECT_LT(known[0].radius.sigma_m, 3e-4f);
+    EXPECT_LT(known[0].radius.sigma_m, 4e-4f);
+}
+
+TEST_F(Tracking, AFingerSeenTwiceIsOneFinger) {
+    frame({tip(0.0f, 0.0f, 0.02f)});
+    std::set<int> ids;
+    for (int i = 0; i < 5; ++i)
+        for (const TouchEvent& touch : frame({tip(0.0f, 0.0f, 0.0f), tip(0.0f, 0.011f, 0.002f)}).touches)
+            ids.insert(touch.tip.id);
+    EXPECT_EQ(ids.size(), 1u);
 }
 
 TEST_F(Tracking, ReleaseEndsEveryTouchOnce) {
