@@ -29,6 +29,8 @@ struct Case {
     Vector3f touched_m, normal;
 };
 
+void PrintTo(const Case& tested, std::ostream* out) { *out << tested.name; }
+
 /// A place on a surface, `u` metres to the right and `v` metres down from the middle of the picture.
 Case on_plane(const char* name, float tilt_rad, float u, float v) {
     const Vector3f away(0.0f, std::sin(tilt_rad), std::cos(tilt_rad));
