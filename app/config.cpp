@@ -8,23 +8,19 @@ namespace {
 class KeyList {
   public:
     void section(std::string name) { section_ = std::move(name); }
-    void add(std::string name, bool& value, std::string meaning) {
-        push(std::move(name), &value, 0, 0, std::move(meaning));
+    void add(const std::string& name, bool& value, const std::string& meaning) {
+        keys_.push_back({section_, name, &value, 0, 0, meaning});
     }
-    void add(std::string name, std::string& value, std::string meaning) {
-        push(std::move(name), &value, 0, 0, std::move(meaning));
+    void add(const std::string& name, std::string& value, const std::string& meaning) {
+        keys_.push_back({section_, name, &value, 0, 0, meaning});
     }
     template <class Number>
-    void add(std::string name, Number& value, double min, double max, std::string meaning) {
-        push(std::move(name), &value, min, max, std::move(meaning));
+    void add(const std::string& name, Number& value, double min, double max, const std::string& meaning) {
+        keys_.push_back({section_, name, &value, min, max, meaning});
     }
     std::vector<ConfigKey> take() { return std::move(keys_); }
 
   private:
-    void push(std::string name, ConfigKey::Value value, double min, double max, std::string meaning) {
-        keys_.push_back({section_, std::move(name), value, min, max, std::move(meaning)});
-    }
-
     std::string section_;
     std::vector<ConfigKey> keys_;
 };

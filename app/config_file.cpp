@@ -64,13 +64,13 @@ void take_section(const std::string& section, const toml::table& table, const st
         std::string known;
         for (const ConfigKey& key : keys) {
             if (key.section != section) continue;
-            known += (known.empty() ? "" : ", ") + key.name;
+            if (!known.empty()) known += ", ";
+            known += key.name;
             if (key.name == name.str()) match = &key;
         }
         if (match == nullptr) {
             refuse(file, node.source(),
-                   "unknown key " + section + "." + std::string(name.str()) + "; [" + section +
-                       "] knows: " + known);
+                   fmt::format("unknown key {}.{}; [{}] knows: {}", section, name.str(), section, known));
         }
         if (!take(node, *match)) refuse(file, node.source(), allowed(*match));
     }

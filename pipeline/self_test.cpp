@@ -16,6 +16,7 @@ namespace touchstone {
 namespace {
 
 constexpr int width_px = 64, height_px = 48;
+constexpr std::size_t pixel_count = std::size_t{width_px} * std::size_t{height_px};
 constexpr float wall_m = 1.0f, square_m = 0.985f;
 constexpr int square_first_px = 20, square_last_px = 31;
 
@@ -23,7 +24,7 @@ const Intrinsics camera{64.0f, 64.0f, 31.5f, 23.5f, width_px, height_px, {0, 0}}
 
 /// A wall at 1 m, facing the camera; with the square, 12 x 12 pixels of it stand 15 mm out.
 std::vector<std::uint16_t> wall_mm(bool with_square) {
-    std::vector<std::uint16_t> depth_mm(width_px * height_px, static_cast<std::uint16_t>(1000.0f * wall_m));
+    std::vector<std::uint16_t> depth_mm(pixel_count, static_cast<std::uint16_t>(1000.0f * wall_m));
     if (!with_square) return depth_mm;
     for (int y = square_first_px; y <= square_last_px; ++y) {
         for (int x = square_first_px; x <= square_last_px; ++x) {
@@ -103,7 +104,7 @@ class SelfTest {
 
     /// The whole wall seems 3 mm farther: each column is to be drawn back by a share of that in 1/z.
     void check_drift(ForegroundSegmentation& segmentation, const SurfacePrediction& background) {
-        const std::vector<std::uint16_t> drifted_mm(width_px * height_px, 1003);
+        const std::vector<std::uint16_t> drifted_mm(pixel_count, 1003);
         conversion_.convert({drifted_mm, camera}, live_);
         ColumnDriftConfig config;
         config.row_step = 1;

@@ -99,7 +99,7 @@ SurfacePoint foot_point(const TablePicture& picture, const Vector3f& point_c_m) 
         nearest = nearest_in_square(picture, point_c_m, nearest.x, nearest.y, stride * samples, stride);
         reach_px = stride > 1 ? stride : 0;
     }
-    const SurfacePoint smooth = foot_on_planes(picture, point_c_m);
+    SurfacePoint smooth = foot_on_planes(picture, point_c_m);
     const float height_m = smooth.normal_c.dot(point_c_m - smooth.point_c_m);
     if (smooth.known && std::abs(height_m - nearest.distance_m) < 0.15f * nearest.distance_m + 0.001f)
         return smooth;
