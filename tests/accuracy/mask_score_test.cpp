@@ -6,6 +6,7 @@
 
 #include "platform/image/png_file.hpp"
 #include "platform/system/error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace touchstone {
 namespace {
@@ -55,12 +56,6 @@ TEST(MaskScorer, AMissingMaskIsAnEmptyOne) {
 
 class MaskFolders : public testing::Test {
   protected:
-    MaskFolders() {
-        std::string pattern = testing::TempDir() + "mask_folders_XXXXXX";
-        folder_ = ::mkdtemp(pattern.data());
-    }
-    ~MaskFolders() override { std::filesystem::remove_all(folder_); }
-
     void write(const std::string& name, const Mask& mask) {
         write_png(folder_ / name, Image8{100, 100, 1, mask});
     }
@@ -68,7 +63,8 @@ class MaskFolders : public testing::Test {
         write_png(folder_ / name, Image16{100, 100, depth_everywhere});
     }
 
-    std::filesystem::path folder_;
+    TemporaryFolder temporary_;
+    const std::filesystem::path folder_ = temporary_.path();
 };
 
 TEST_F(MaskFolders, AreScoredFromFrame60On) {

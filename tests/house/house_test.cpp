@@ -3,9 +3,9 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "tests/house/house_rules.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace touchstone {
 namespace {
@@ -36,12 +36,6 @@ TEST(House, SourcesAreFormatted) {
 /// A tree of made-up files, gone after the test.
 class MadeUpTree : public testing::Test {
   protected:
-    MadeUpTree() {
-        std::string pattern = testing::TempDir() + "made_up_tree_XXXXXX";
-        root_ = ::mkdtemp(pattern.data());
-    }
-    ~MadeUpTree() override { std::filesystem::remove_all(root_); }
-
     void write(const std::string& name, const std::string& text) {
         std::filesystem::create_directories((root_ / name).parent_path());
         std::ofstream(root_ / name) << text;
@@ -53,7 +47,8 @@ class MadeUpTree : public testing::Test {
         return breaches;
     }
 
-    std::filesystem::path root_;
+    TemporaryFolder temporary_;
+    const std::filesystem::path root_ = temporary_.path();
 };
 
 TEST_F(MadeUpTree, ArrowsThatPointDownAreFine) {
