@@ -10,6 +10,11 @@ namespace {
 
 constexpr std::size_t first_capacity_bricks = 4096;
 
+/// Known, and at or behind a surface.
+bool is_inside(std::int32_t voxel) {
+    return ((voxel >> 16) & 0xff) > 0 && static_cast<std::int16_t>(voxel & 0xffff) <= 0;
+}
+
 }  // namespace
 
 VolumeParams make_volume_params(const VolumeConfig& config) {
@@ -58,6 +63,17 @@ void TsdfVolume::allocate(std::span<const int> bricks) {
     for (std::size_t slot = first_new; slot < slots_.size(); ++slot) {
         table[static_cast<std::size_t>(slots_[slot])] = static_cast<int>(slot);
         bricks_of_slots[slot] = slots_[slot];
+    }
+}
+
+void TsdfVolume::write(std::span<const std::int32_t> voxels) {
+    if (voxels.size() != slots_.size() * BRICK_VOXELS)
+        throw Error(ExitStatus::bad_data, "a volume is given voxels for another number of bricks");
+    pool_.write(voxels);
+    const auto has_inside = has_inside_.map_update();
+    for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+        const auto brick = voxels.subspan(slot * BRICK_VOXELS, BRICK_VOXELS);
+        has_inside[slot] = std::ranges::any_of(brick, is_inside) ? 1 : 0;
     }
 }
 

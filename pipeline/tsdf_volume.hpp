@@ -29,6 +29,7 @@ class TsdfVolume {
   public:
     TsdfVolume(const Device& device, const VolumeConfig& config);
 
+    const VolumeConfig& config() const { return config_; }
     const VolumeParams& params() const { return params_; }
     const Buffer<int>& table() const { return table_; }
     const Buffer<int>& pool() const { return pool_; }
@@ -47,6 +48,8 @@ class TsdfVolume {
     int slot(int brick) const { return host_table_[static_cast<std::size_t>(brick)]; }
     /// Gives each of the bricks a slot of unknown voxels where it has none and the limit allows.
     void allocate(std::span<const int> bricks);
+    /// Overwrites the voxels of all slots in use, BRICK_VOXELS each, in slot order.
+    void write(std::span<const std::int32_t> voxels);
 
   private:
     void reserve(std::size_t slots);
