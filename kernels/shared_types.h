@@ -131,6 +131,24 @@ typedef struct ShadingParams {
     Float4 background, foreground, unknown, light_c;
 } ShadingParams;
 
+/* Point-to-plane alignment (Listing 1, Eq 1) of live vertices with a prediction, both in the prediction's frame p.
+ * A pair counts where the vertices are at most max_distance_m apart, the normals agree and the residual is below
+ * cutoff_sigmas sigma_z(z, theta); its row weighs (reference_sigma_m / sigma_z)^2 times Huber's weight. The twist turns
+ * about centre_p. */
+typedef struct AlignmentParams {
+    SensorNoise noise;
+    Float4 centre_p;
+    float max_distance_m, min_normal_cos, huber_sigmas, cutoff_sigmas;
+    float reference_sigma_m;
+    int reserved[3];
+} AlignmentParams;
+
+/* What a row of pixels adds to the normal equations A x = b, x = (omega, t): A's upper triangle row by row, b, then sums of
+ * weight, weight * residual^2, pairs that count, pairs compared (a model is there), live pixels, residual^2, 0, 0. */
+#define ALIGNMENT_SUMS 35
+#define ALIGNMENT_B 21
+#define ALIGNMENT_STATISTICS 27
+
 #ifndef __OPENCL_VERSION__
 } /* namespace touchstone */
 #endif

@@ -1,0 +1,103 @@
+/* Camera tracking: Listing 1 and Eq 1 in one pass. Each live pixel finds its model pixel by projection, and what the pair
+ * adds to the 6x6 system is summed on the device; no record per pixel. Every point is in the frame p of the prediction. */
+
+/* Half the size: the mean of those of 2x2 pixels that are within gap_per_m z of the nearest. Pixel x of the result is at
+ * 2 x + 0.5 of the source. Eight pixels a work-item. */
+__kernel void half_sample(__global const float* source_m, __global float* half_m, const MapShape source,
+                          const MapShape half_shape, const float gap_per_m) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
+    const bool inside = 2 * x < source.pitch_px && 2 * y + 1 < source.rows_px;
+    float8 result = (float8)(0.0f);
+    if (inside) {
+        __global const float* top = source_m + 2 * y * source.pitch_px + 2 * x;
+        const float16 a = vload16(0, top), b = vload16(0, top + source.pitch_px);
+        const float8 p[4] = {a.even, a.odd, b.even, b.odd};
+        float8 nearest = (float8)(FLT_MAX), sum = (float8)(0.0f), count = (float8)(0.0f);
+        for (int i = 0; i < 4; ++i) nearest = fmin(nearest, select((float8)(FLT_MAX), p[i], p[i] > 0.0f));
+        for (int i = 0; i < 4; ++i) {
+            const int8 used = (p[i] > 0.0f) & (p[i] <= nearest * (1.0f + gap_per_m));
+            sum += select((float8)(0.0f), p[i], used);
+            count += select((float8)(0.0f), (float8)(1.0f), used);
+        }
+        result = select((float8)(0.0f), sum / fmax(count, 1.0f), count > 0.0f);
+        const float8 columns = lanes8() + (float)x;
+        result = select((float8)(0.0f), result, (columns < (float)half_shape.width_px) & (int8)(y < half_shape.height_px ? -1 : 0));
+    }
+    vstore8(result, 0, half_m + y * half_shape.pitch_px + x);
+}
+
+inline float sum8(const float8 v) {
+    const float4 a = v.lo + v.hi;
+    const float2 b = a.lo + a.hi;
+    return b.x + b.y;
+}
+
+/* Depths without those of the pixels whose mask is not 0. Eight pixels a work-item. */
+__kernel void leave_out(__global const float* depth_m, __global const uchar* mask, __global float* result_m, const MapShape shape) {
+    const int at = (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8;
+    const int8 kept = convert_int8(vload8(0, mask + at)) == 0;
+    vstore8(select((float8)(0.0f), vload8(0, depth_m + at), kept), 0, result_m + at);
+}
+
+/* One row of pixels a work-item; global size (rows of the live map). Live: depths and normals in the camera frame c. */
+__kernel void sum_alignment(__global const float* live_m, __global const float* live_normals_c,
+                            __global const float* model_m, __global const float* model_normals_p, __global float* sums, const MapShape live_shape,
+                            const Intrinsics live_k, const MapShape model_shape, const Intrinsics model_k, const Pose T_p_c,
+                            const AlignmentParams params) {
+    const int y = (int)get_global_id(0);
+    const int live_plane = live_shape.pitch_px * live_shape.rows_px, model_plane = model_shape.pitch_px * model_shape.rows_px;
+    float8 total[ALIGNMENT_SUMS];
+    for (int i = 0; i < ALIGNMENT_SUMS; ++i) total[i] = (float8)(0.0f);
+    for (int x = 0; x < live_shape.width_px; x += 8) {
+        const int at = y * live_shape.pitch_px + x;
+        const float8 live = vload8(0, live_m + at);
+        const int8 measured = live > 0.0f;
+        if (!any(measured)) continue;
+        const Points8 v = transform_points8(T_p_c, back_project8(live_k, x, y, live));
+        const int8 pixel = select((int8)(-1), project_to_index8(model_k, model_shape, v), measured);
+        const float8 model = gather8(model_m, pixel);
+        const int8 compared = model > 0.0f;
+        total[ALIGNMENT_STATISTICS + 4] += select((float8)(0.0f), (float8)(1.0f), measured);
+        if (!any(compared)) continue;
+        Points8 n, n_live;
+        n.x = gather8(model_normals_p, pixel);
+        n.y = gather8(model_normals_p + model_plane, pixel);
+        n.z = gather8(model_normals_p + 2 * model_plane, pixel);
+        n_live.x = vload8(0, live_normals_c + at);
+        n_live.y = vload8(0, live_normals_c + live_plane + at);
+        n_live.z = vload8(0, live_normals_c + 2 * live_plane + at);
+        n_live = rotate_vectors8(T_p_c, n_live);
+        // The model's vertex: the pixel that was hit, at the model's depth.
+        const int8 row = pixel / model_shape.pitch_px;
+        Points8 d;
+        d.x = (convert_float8(pixel - row * model_shape.pitch_px) - model_k.cx_px) / model_k.fx_px * model - v.x;
+        d.y = (convert_float8(row) - model_k.cy_px) / model_k.fy_px * model - v.y;
+        d.z = model - v.z;
+        const float8 r = dot8(n, d);
+        const float8 z = select((float8)(1.0f), v.z, compared);
+        const float8 cos_theta = dot8(n, v) * rsqrt(select((float8)(1.0f), dot8(v, v), compared));
+        const float8 cos2 = fmax(cos_theta * cos_theta, 0.01f);
+        const float8 sigma = sigma_z8(params.noise, z) + params.noise.grazing * rsqrt(z) * 2.0f * (1.0f - cos2) / cos2;
+        const float8 sigmas = fabs(r) / sigma;
+        const int8 pair = compared & (dot8(d, d) < params.max_distance_m * params.max_distance_m) &
+                          (dot8(n, n_live) > params.min_normal_cos) & (sigmas < params.cutoff_sigmas);
+        const float8 scale = params.reference_sigma_m / sigma;
+        const float8 huber = fmin(1.0f, params.huber_sigmas / fmax(sigmas, 1e-6f));
+        const float8 w = select((float8)(0.0f), scale * scale * huber, pair);
+        const float8 px = v.x - params.centre_p.x, py = v.y - params.centre_p.y, pz = v.z - params.centre_p.z;
+        const float8 j[6] = {py * n.z - pz * n.y, pz * n.x - px * n.z, px * n.y - py * n.x, n.x, n.y, n.z};
+        int k = 0;
+        for (int a = 0; a < 6; ++a) {
+            const float8 wj = w * j[a];
+            for (int b = a; b < 6; ++b) total[k++] += wj * j[b];
+            total[ALIGNMENT_B + a] += wj * r;
+        }
+        const float8 counts = select((float8)(0.0f), (float8)(1.0f), pair);
+        total[ALIGNMENT_STATISTICS] += w;
+        total[ALIGNMENT_STATISTICS + 1] += w * r * r;
+        total[ALIGNMENT_STATISTICS + 2] += counts;
+        total[ALIGNMENT_STATISTICS + 3] += select((float8)(0.0f), (float8)(1.0f), compared);
+        total[ALIGNMENT_STATISTICS + 5] += counts * r * r;
+    }
+    for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[y * ALIGNMENT_SUMS + i] = sum8(total[i]);
+}

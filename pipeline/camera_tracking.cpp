@@ -1,0 +1,206 @@
+#include "pipeline/camera_tracking.hpp"
+
+#include <cmath>
+#include <fmt/core.h>
+#include <numbers>
+
+#include "pipeline/kernel_program.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr std::size_t levels = 3;
+
+/// Pixel x of the half-sized picture is at 2 x + 0.5 of the source.
+Intrinsics half_sized(const Intrinsics& k) {
+    Intrinsics half = k;
+    half.fx_px *= 0.5f;
+    half.fy_px *= 0.5f;
+    half.cx_px = 0.5f * (k.cx_px - 0.5f);
+    half.cy_px = 0.5f * (k.cy_px - 0.5f);
+    half.width_px = k.width_px / 2;
+    half.height_px = k.height_px / 2;
+    return half;
+}
+
+float sigma_z_m(const SensorNoise& noise, float z_m) {
+    const float from_offset = z_m - noise.offset_m;
+    return noise.constant_m + noise.quadratic * from_offset * from_offset;
+}
+
+float angle_deg(const RigidTransform& T) {
+    return Eigen::AngleAxisf(T.linear()).angle() * 180.0f / std::numbers::pi_v<float>;
+}
+
+/// Adds what one row of pixels gave.
+void add(std::span<const float> row, AlignmentSums& sums) {
+    std::size_t at = 0;
+    for (int a = 0; a < 6; ++a) {
+        for (int b = a; b < 6; ++b) sums.A(a, b) += static_cast<double>(row[at++]);
+        sums.b[a] += static_cast<double>(row[ALIGNMENT_B + static_cast<std::size_t>(a)]);
+    }
+    const std::span<const float> statistics = row.subspan(ALIGNMENT_STATISTICS);
+    sums.weight += static_cast<double>(statistics[0]);
+    sums.weighted_squares += static_cast<double>(statistics[1]);
+    sums.pairs += static_cast<double>(statistics[2]);
+    sums.compared += static_cast<double>(statistics[3]);
+    sums.measured += static_cast<double>(statistics[4]);
+    sums.squares += static_cast<double>(statistics[5]);
+}
+
+/// Lower is better: mean squared residual, with the cut-off's for every live pixel that has no pair.
+double misfit(const AlignmentSums& sums) {
+    if (sums.pairs < 1.0) return std::numeric_limits<double>::max();
+    const double share = sums.pairs / std::max(sums.measured, 1.0);
+    return (std::sqrt(sums.squares / sums.pairs) + 0.002) / (share * share);
+}
+
+}  // namespace
+
+CameraTracking::CameraTracking(const Device& device, const CameraTrackingConfig& config,
+                               const Intrinsics& intrinsics)
+    : config_(config),
+      intrinsics_(intrinsics),
+      program_(load_kernel_program(device, "listing_1_camera_tracking.cl")),
+      conversion_(load_kernel_program(device, "depth_map_conversion.cl")),
+      half_sample_(program_.kernel("half_sample")),
+      leave_out_(program_.kernel("leave_out")),
+      sum_alignment_(program_.kernel("sum_alignment")),
+      normal_map_(conversion_.kernel("normal_map")),
+      sums_(device, static_cast<std::size_t>(make_map_shape(intrinsics).rows_px) * ALIGNMENT_SUMS) {
+    Intrinsics k = intrinsics;
+    for (Level& level : levels_) {
+        level.intrinsics = k;
+        level.shape = make_map_shape(k);
+        level.depth_m = Buffer<float>(device, map_pixels(level.shape));
+        if (&level != &levels_.front()) level.normals_c = Buffer<float>(device, 3 * map_pixels(level.shape));
+        k = half_sized(k);
+    }
+}
+
+void CameraTracking::prepare(const LiveMaps& live, const Buffer<std::uint8_t>* excluded) {
+    finest_depth_m_ = &live.filtered_m;
+    finest_normals_c_ = &live.normals_c;
+    if (excluded != nullptr) {
+        leave_out_.launch(eight_pixels_each(live.shape), live.filtered_m, *excluded, levels_[0].depth_m,
+                          live.shape);
+        finest_depth_m_ = &levels_[0].depth_m;
+    }
+    const Buffer<float>* source = finest_depth_m_;
+    for (std::size_t i = 1; i < levels; ++i) {
+        Level& level = levels_[i];
+        half_sample_.launch(eight_pixels_each(level.shape), *source, level.depth_m, levels_[i - 1].shape,
+                            level.shape, config_.half_sample_gap_per_m);
+        normal_map_.launch(eight_pixels_each(level.shape), level.depth_m, level.normals_c, level.shape,
+                           level.intrinsics, config_.normal_gap_per_m);
+        source = &level.depth_m;
+    }
+}
+
+AlignmentParams CameraTracking::params(int level) const {
+    const TrackingLevel& limits = config_.levels[static_cast<std::size_t>(level)];
+    AlignmentParams params{};
+    params.noise = config_.noise;
+    params.centre_p = {0.0f, 0.0f, centre_depth_m_, 0.0f};
+    params.max_distance_m = limits.max_distance_m;
+    params.min_normal_cos = std::cos(config_.max_normal_angle_deg * std::numbers::pi_v<float> / 180.0f);
+    params.huber_sigmas = config_.huber_sigmas;
+    params.cutoff_sigmas = limits.cutoff_sigmas;
+    params.reference_sigma_m = sigma_z_m(config_.noise, 1.0f);
+    return params;
+}
+
+AlignmentSums CameraTracking::sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level) {
+    const Level& at = levels_[static_cast<std::size_t>(level)];
+    const auto rows = static_cast<std::size_t>(at.shape.height_px);
+    sum_alignment_.launch({{rows, 1, 1}, {1, 1, 1}}, level == 0 ? *finest_depth_m_ : at.depth_m,
+                          level == 0 ? *finest_normals_c_ : at.normals_c, model.depth_m, model.normals_c,
+                          sums_, at.shape, at.intrinsics, model.shape, intrinsics_, to_pose(T_p_c),
+                          params(level));
+    AlignmentSums sums;
+    const auto mapped = sums_.map_read(rows * ALIGNMENT_SUMS);
+    for (std::size_t row = 0; row < rows; ++row)
+        add(mapped.values().subspan(row * ALIGNMENT_SUMS, ALIGNMENT_SUMS), sums);
+    sums.A.triangularView<Eigen::StrictlyLower>() = sums.A.transpose();
+    return sums;
+}
+
+RigidTransform CameraTracking::best_guess(const SurfacePrediction& model,
+                                          std::span<const RigidTransform> guesses) {
+    if (guesses.size() == 1) return guesses.front();
+    const RigidTransform* best = &guesses.front();
+    double least = std::numeric_limits<double>::max();
+    for (const RigidTransform& guess : guesses) {
+        const double value = misfit(sum(model, guess, static_cast<int>(levels) - 1));
+        if (value >= least) continue;
+        least = value;
+        best = &guess;
+    }
+    return *best;
+}
+
+void CameraTracking::refine(const SurfacePrediction& model, int level, TrackingResult& result) {
+    const Eigen::Vector3f centre(0.0f, 0.0f, centre_depth_m_);
+    const double lever_m = 0.5 * static_cast<double>(centre_depth_m_);
+    for (int i = 0; i < config_.levels[static_cast<std::size_t>(level)].iterations; ++i) {
+        const AlignmentSums sums = sum(model, result.T_p_c, level);
+        ++result.iterations;
+        const TwistSolution solution =
+            solve_twist(sums, lever_m, static_cast<double>(config_.min_eigenvalue));
+        result.held_directions = solution.held;
+        result.eigenvalues = solution.eigenvalues;
+        result.T_p_c = orthonormal(twist_about(solution.twist, centre) * result.T_p_c);
+        const double step_m = solution.twist.head<3>().norm() * lever_m + solution.twist.tail<3>().norm();
+        if (step_m < static_cast<double>(config_.stop_step_m)) break;
+    }
+}
+
+TrackingResult CameraTracking::track(const LiveMaps& live, const SurfacePrediction& model,
+                                     std::span<const RigidTransform> guesses,
+                                     const Buffer<std::uint8_t>* excluded) {
+    TrackingResult result;
+    prepare(live, excluded);
+    result.T_p_c = best_guess(model, guesses);
+    for (int level = static_cast<int>(levels) - 1; level >= 0; --level) refine(model, level, result);
+    const AlignmentSums sums = sum(model, result.T_p_c, 0);
+    const double pairs = std::max(sums.pairs, 1.0);
+    const double reference_m = static_cast<double>(sigma_z_m(config_.noise, 1.0f));
+    result.rms_sigmas = static_cast<float>(std::sqrt(sums.weighted_squares / pairs) / reference_m);
+    result.rms_mm = static_cast<float>(1000.0 * std::sqrt(sums.squares / pairs));
+    result.inlier_share = static_cast<float>(sums.pairs / std::max(sums.compared, 1.0));
+    result.model_share = static_cast<float>(sums.compared / std::max(sums.measured, 1.0));
+    judge_tracking(config_, result);
+    return result;
+}
+
+void judge_tracking(const CameraTrackingConfig& config, TrackingResult& result) {
+    const auto percent = [](float share) { return 100.0f * share; };
+    result.state = TrackingState::lost;
+    if (result.model_share < config.min_model_share)
+        result.reason =
+            fmt::format("only {:.0f} % of the view has been scanned", percent(result.model_share));
+    else if (result.inlier_share < config.lost_inlier_share)
+        result.reason = fmt::format("only {:.0f} % of the view fits the scan", percent(result.inlier_share));
+    else if (result.rms_sigmas > config.lost_rms_sigmas)
+        result.reason = fmt::format("the view is {:.0f} mm off the scan", result.rms_mm);
+    else if (result.inlier_share < config.poor_inlier_share) {
+        result.state = TrackingState::poor;
+        result.reason = fmt::format("{:.0f} % of the view fits the scan", percent(result.inlier_share));
+    } else if (result.rms_sigmas > config.poor_rms_sigmas) {
+        result.state = TrackingState::poor;
+        result.reason = fmt::format("the view is {:.0f} mm off the scan", result.rms_mm);
+    } else {
+        result.state = TrackingState::good;
+    }
+}
+
+void judge_step(const CameraTrackingConfig& config, const RigidTransform& step, TrackingResult& result) {
+    const float step_m = step.translation().norm(), step_deg = angle_deg(step);
+    if (step_m <= config.max_step_m && step_deg <= config.max_step_deg) return;
+    result.state = TrackingState::lost;
+    result.reason =
+        fmt::format("moved too fast: {:.0f} mm and {:.1f} degrees in one frame", 1000.0f * step_m, step_deg);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "pipeline/maps.hpp"
+#include "pipeline/pose_solver.hpp"
+#include "pipeline/types.hpp"
+#include "platform/opencl/program.hpp"
+
+namespace touchstone {
+
+/// Good: fuse. Poor: follow the pose, but do not fuse. Lost: the pose is not to be believed.
+enum class TrackingState { good, poor, lost };
+
+/// One level of the coarse-to-fine alignment.
+struct TrackingLevel {
+    int iterations = 4;
+    float max_distance_m = 0.1f;  ///< between the two vertices of a pair
+    float cutoff_sigmas = 12.0f;  ///< of the residual
+};
+
+struct CameraTrackingConfig {
+    SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< Kinect v1, Nguyen et al. 2012
+    std::array<TrackingLevel, 3> levels{TrackingLevel{4, 0.06f, 8.0f}, TrackingLevel{6, 0.10f, 16.0f},
+                                        TrackingLevel{10, 0.20f, 40.0f}};  ///< fine to coarse
+    float max_normal_angle_deg = 35.0f;
+    float huber_sigmas = 1.5f;
+    float half_sample_gap_per_m = 0.03f;
+    float normal_gap_per_m = 0.03f;
+    float min_eigenvalue = 0.002f;  ///< directions below it are held
+    float stop_step_m = 2e-5f;      ///< an iteration that moves less ends its level
+
+    float poor_inlier_share = 0.5f, lost_inlier_share = 0.25f;  ///< of the pixels that have a model
+    float min_model_share = 0.10f;                              ///< of the live pixels; less is lost
+    float poor_rms_sigmas = 2.5f, lost_rms_sigmas = 5.0f;
+    float max_step_m = 0.15f, max_step_deg = 12.0f;  ///< a frame; more is not believed
+};
+
+struct TrackingResult {
+    TrackingState state = TrackingState::lost;
+    std::string reason;  ///< in words for people, empty when good
+    RigidTransform T_p_c = RigidTransform::Identity();
+    float rms_sigmas = 0.0f;    ///< of the residuals, in units of the sensor's noise
+    float rms_mm = 0.0f;        ///< of the pairs that count
+    float inlier_share = 0.0f;  ///< pairs that count / live pixels that have a model
+    float model_share = 0.0f;   ///< live pixels that have a model / live pixels
+    int held_directions = 0;    ///< of six, that the last iteration left as they were
+    Vector6d eigenvalues = Vector6d::Zero();
+    int iterations = 0;
+};
+
+/// 6DOF pose of the camera against a prediction: Listing 1 and Eq 1, coarse to fine.
+class CameraTracking {
+  public:
+    CameraTracking(const Device& device, const CameraTrackingConfig& config, const Intrinsics& intrinsics);
+
+    /// `guesses` are poses of the live camera in the prediction's camera frame p; the one that fits best at
+    /// the coarsest level is refined. `excluded`: null, or a map whose pixels that are not 0 are left out.
+    TrackingResult track(const LiveMaps& live, const SurfacePrediction& model,
+                         std::span<const RigidTransform> guesses,
+                         const Buffer<std::uint8_t>* excluded = nullptr);
+
+    /// Makes the levels that sum() reads; track() does it itself.
+    void prepare(const LiveMaps& live, const Buffer<std::uint8_t>* excluded = nullptr);
+    /// The sums of one evaluation at a level, 0 = finest, of the frame last prepared.
+    AlignmentSums sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level);
+
+  private:
+    struct Level {
+        Intrinsics intrinsics{};
+        MapShape shape{};
+        Buffer<float> depth_m, normals_c;  // at level 0 only where pixels are left out
+    };
+
+    RigidTransform best_guess(const SurfacePrediction& model, std::span<const RigidTransform> guesses);
+    void refine(const SurfacePrediction& model, int level, TrackingResult& result);
+    AlignmentParams params(int level) const;
+
+    CameraTrackingConfig config_;
+    Intrinsics intrinsics_;
+    std::array<Level, 3> levels_;
+    const Buffer<float>* finest_depth_m_ = nullptr;
+    const Buffer<float>* finest_normals_c_ = nullptr;
+    Program program_, conversion_;
+    Kernel half_sample_, leave_out_, sum_alignment_, normal_map_;
+    Buffer<float> sums_;
+    float centre_depth_m_ = 1.0f;
+};
+
+/// State and reason from the figures of a result.
+void judge_tracking(const CameraTrackingConfig& config, TrackingResult& result);
+
+/// Lost where the pose moved more than is believed between two frames.
+void judge_step(const CameraTrackingConfig& config, const RigidTransform& step, TrackingResult& result);
+
+}  // namespace touchstone

@@ -1,0 +1,82 @@
+#include "pipeline/reconstruction.hpp"
+
+#include <array>
+
+namespace touchstone {
+
+namespace {
+
+ReconstructionConfig with_shared_noise(ReconstructionConfig config) {
+    config.conversion.noise = config.noise;
+    config.tracking.noise = config.noise;
+    return config;
+}
+
+}  // namespace
+
+Reconstruction::Reconstruction(const Device& device, const ReconstructionConfig& config,
+                               const Intrinsics& intrinsics, const RigidTransform& T_g_c)
+    : device_(&device),
+      config_(with_shared_noise(config)),
+      conversion_(device, config_.conversion, intrinsics),
+      tracking_(device, config_.tracking, intrinsics),
+      volume_(device, config_.volume),
+      integration_(device, intrinsics),
+      raycasting_(device, intrinsics),
+      live_(device, make_map_shape(intrinsics)),
+      prediction_(device, make_map_shape(intrinsics)),
+      no_mask_(device, map_pixels(make_map_shape(intrinsics))),
+      T_g_c_(T_g_c),
+      T_g_p_(T_g_c),
+      velocity_(RigidTransform::Identity()) {
+    no_mask_.fill(0);
+}
+
+ReconstructionFrame Reconstruction::process(const DepthView& view) {
+    ReconstructionFrame frame;
+    {
+        const StageTimer whole(times_, "frame");
+        {
+            const StageTimer timer(times_, "depth map conversion");
+            conversion_.convert(view, live_);
+            device_->finish();
+        }
+        if (empty_)
+            frame.tracking.state = TrackingState::good;
+        else
+            track(frame);
+        frame.fused = frame.tracking.state == TrackingState::good;
+        if (frame.fused) fuse();
+        if (frame.tracking.state != TrackingState::lost) {
+            const StageTimer timer(times_, "raycast");
+            raycasting_.raycast(volume_, T_g_c_, prediction_);
+            T_g_p_ = T_g_c_;
+            device_->finish();
+        }
+        frame.T_g_c = T_g_c_;
+    }
+    times_.end_frame();
+    return frame;
+}
+
+void Reconstruction::track(ReconstructionFrame& frame) {
+    const StageTimer timer(times_, "camera tracking");
+    const std::array guesses{RigidTransform::Identity(), velocity_};
+    frame.tracking = tracking_.track(live_, prediction_, guesses);
+    judge_step(config_.tracking, frame.tracking.T_p_c, frame.tracking);
+    if (frame.tracking.state == TrackingState::lost) {
+        velocity_ = RigidTransform::Identity();
+        return;
+    }
+    velocity_ = frame.tracking.T_p_c;
+    T_g_c_ = orthonormal(T_g_p_ * frame.tracking.T_p_c);
+}
+
+void Reconstruction::fuse() {
+    const StageTimer timer(times_, "volumetric integration");
+    integration_.integrate(volume_, live_.depth_m, no_mask_, T_g_c_, all_layers(volume_));
+    empty_ = false;
+    device_->finish();
+}
+
+}  // namespace touchstone
