@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <set>
 
 #include "platform/system/error.hpp"
 #include "ui/scene_list.hpp"
@@ -9,47 +10,183 @@ namespace touchstone {
 
 namespace {
 
+/// What run, scan and track have in common.
+struct SourceArguments {
+    std::string sensor, pace, config_file;
+    std::optional<int> frames, voxels;
+    std::optional<float> side_m;
+};
+
 struct RunArguments {
-    std::string sensor, pace, display, scene, config_file, events, maps, shots;
-    int frames = 0;
+    SourceArguments source;
+    std::string display, scene, events, maps, shots;
     bool print_config = false;
 };
 
-void add_run_options(CLI::App& app, RunArguments& arguments) {
-    app.add_option("--sensor", arguments.sensor,
-                   "PATH.oni, seq:DIR, sim:SCENE?key=value&...; default: the attached camera");
+/// Files that scan and track write.
+struct ModelArguments {
+    SourceArguments source;
+    std::string scan, mesh, trajectory;
+};
+
+const CLI::Validator not_empty(
+    [](const std::string& text) { return text.empty() ? std::string("needs a name") : std::string(); }, "");
+
+const CLI::Validator volume_size(
+    [](const std::string& text) {
+        int voxels = 0;
+        const bool number = CLI::detail::lexical_cast(text, voxels);
+        return number && voxels >= 64 && voxels <= 1024 && voxels % 8 == 0
+                   ? std::string()
+                   : text + " is not a multiple of 8 from 64 to 1024";
+    },
+    "");
+
+const CLI::Validator volume_side(
+    [](const std::string& text) {
+        float side_m = 0.0f;
+        const bool number = CLI::detail::lexical_cast(text, side_m);
+        return number && side_m >= 0.2f && side_m <= 10.0f
+                   ? std::string()
+                   : text + " is not a number of metres from 0.2 to 10";
+    },
+    "");
+
+CLI::Option* add_source_options(CLI::App& app, SourceArguments& arguments) {
+    CLI::Option* sensor =
+        app.add_option("--sensor", arguments.sensor,
+                       "PATH.oni, seq:DIR, sim:SCENE?key=value&...; default: the attached camera");
     app.add_option("--pace", arguments.pace, "live or step; step takes every frame in order")
         ->check(CLI::IsMember({"live", "step"}));
+    app.add_option("--config", arguments.config_file, "TOML file; see run --print-config");
+    app.add_option("--frames", arguments.frames, "end after so many frames")->check(CLI::PositiveNumber);
+    app.add_option("--voxels", arguments.voxels, "along a side of the volume, default 512")
+        ->check(volume_size);
+    app.add_option("--side", arguments.side_m, "of the volume, metres; default: as seen, track: 4.8")
+        ->check(volume_side);
+    return sensor;
+}
+
+void add_run_options(CLI::App& app, RunArguments& arguments) {
+    add_source_options(app, arguments.source);
     app.add_option("--display", arguments.display,
                    "headless or window; default: a window where there is a desktop")
         ->check(CLI::IsMember({"headless", "window"}));
     app.add_option("--scene", arguments.scene, "what the table shows")->check(CLI::IsMember(scene_names()));
-    app.add_option("--config", arguments.config_file, "TOML file; see --print-config");
     app.add_option("--events", arguments.events, "touches as JSON lines, - for standard output");
     app.add_option("--maps", arguments.maps, "folder for foreground and touch maps, PNG");
     app.add_option("--shots", arguments.shots, "folder for what the display showed, PNG");
-    app.add_option("--frames", arguments.frames, "end after so many frames")->check(CLI::PositiveNumber);
     app.add_flag("--print-config", arguments.print_config, "print the whole configuration and end");
+}
+
+CLI::Option* add_scan_file(CLI::App& app, ModelArguments& arguments) {
+    return app.add_option("--scan", arguments.scan, "file for the scan")->check(not_empty);
+}
+
+void add_mesh_file(CLI::App& app, ModelArguments& arguments) {
+    app.add_option("--mesh", arguments.mesh, "file for the surface: .ply, .obj or .stl")->check(not_empty);
+}
+
+CLI::App* add_scan(CLI::App& app, ModelArguments& arguments) {
+    CLI::App* scan = app.add_subcommand("scan", "scan what a fixed camera sees, once");
+    add_source_options(*scan, arguments.source);
+    add_scan_file(*scan, arguments)->required();
+    add_mesh_file(*scan, arguments);
+    return scan;
+}
+
+CLI::App* add_track(CLI::App& app, ModelArguments& arguments) {
+    CLI::App* track = app.add_subcommand("track", "follow a moving camera, or an object turned by hand");
+    add_source_options(*track, arguments.source)
+        ->required()
+        ->check(not_empty)
+        ->description("PATH.oni, seq:DIR, sim:SCENE?key=value&...");
+    track->add_option("--trajectory", arguments.trajectory, "file for the camera's path, TUM format")
+        ->check(not_empty);
+    add_scan_file(*track, arguments);
+    add_mesh_file(*track, arguments);
+    return track;
 }
 
 std::optional<std::string> if_given(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(text);
 }
 
+Config to_config(const SourceArguments& arguments) {
+    Config config;
+    if (!arguments.config_file.empty()) load_config(arguments.config_file, config);
+    if (!arguments.sensor.empty()) config.sensor_uri = arguments.sensor;
+    BackgroundConfig& background = config.interaction.background;
+    if (arguments.voxels) background.volume.size_vox = *arguments.voxels;
+    if (arguments.side_m) {
+        background.volume.side_m = *arguments.side_m;
+        background.fit_side = false;
+    }
+    return config;
+}
+
+std::optional<Pace> to_pace(const SourceArguments& arguments) {
+    if (arguments.pace.empty()) return std::nullopt;
+    return arguments.pace == "step" ? Pace::step : Pace::live;
+}
+
 RunOptions to_run_options(const RunArguments& arguments) {
     RunOptions options;
-    if (!arguments.config_file.empty()) load_config(arguments.config_file, options.config);
-    if (!arguments.sensor.empty()) options.config.sensor_uri = arguments.sensor;
+    options.config = to_config(arguments.source);
+    options.pace = to_pace(arguments.source);
+    options.frames = arguments.source.frames;
     if (!arguments.scene.empty()) options.config.display.scene = arguments.scene;
-    if (!arguments.pace.empty()) options.pace = arguments.pace == "step" ? Pace::step : Pace::live;
     if (!arguments.display.empty()) {
         options.display = arguments.display == "window" ? DisplayKind::window : DisplayKind::headless;
     }
     options.events_file = if_given(arguments.events);
     options.maps_dir = if_given(arguments.maps);
     options.shots_dir = if_given(arguments.shots);
-    if (arguments.frames > 0) options.frames = arguments.frames;
     return options;
+}
+
+/// Results written over each other would be lost.
+void check_files_differ(const ModelArguments& arguments) {
+    std::set<std::string> files;
+    for (const std::string& file : {arguments.scan, arguments.mesh, arguments.trajectory}) {
+        if (!file.empty() && !files.insert(file).second)
+            throw Error(ExitStatus::usage,
+                        file + " is named for two results; name a file for each; see touchstone --help");
+    }
+}
+
+ScanOptions to_scan_options(const ModelArguments& arguments) {
+    check_files_differ(arguments);
+    ScanOptions options;
+    options.config = to_config(arguments.source);
+    options.pace = to_pace(arguments.source);
+    options.frames = arguments.source.frames;
+    options.scan_file = arguments.scan;
+    options.mesh_file = if_given(arguments.mesh);
+    return options;
+}
+
+TrackOptions to_track_options(const ModelArguments& arguments) {
+    check_files_differ(arguments);
+    TrackOptions options;
+    options.config = to_config(arguments.source);
+    options.pace = to_pace(arguments.source);
+    options.frames = arguments.source.frames;
+    options.trajectory_file = if_given(arguments.trajectory);
+    options.mesh_file = if_given(arguments.mesh);
+    options.scan_file = if_given(arguments.scan);
+    options.voxels = options.config.interaction.background.volume.size_vox;
+    if (arguments.source.side_m) options.side_m = *arguments.source.side_m;
+    return options;
+}
+
+/// Options of `run` may stand without it; before another sub-command they would be lost.
+void check_no_options_before(const CLI::App& app, const std::string& command) {
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->count() > 0)
+            throw Error(ExitStatus::usage, option->get_name() + " goes behind " + command +
+                                               "; see touchstone " + command + " --help");
+    }
 }
 
 }  // namespace
@@ -58,10 +195,12 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App app("Touchstone turns any surface under a fixed depth camera into a multi-touch surface",
                  "touchstone");
     app.set_version_flag("--version", TOUCHSTONE_VERSION);
-    RunArguments arguments;
-    add_run_options(app, arguments);
-    CLI::App* run = app.add_subcommand("run", "the table (no sub-command means run)");
-    add_run_options(*run, arguments);
+    RunArguments run_arguments;
+    ModelArguments model_arguments;
+    add_run_options(app, run_arguments);
+    add_run_options(*app.add_subcommand("run", "the table (no sub-command means run)"), run_arguments);
+    const CLI::App* scan = add_scan(app, model_arguments);
+    const CLI::App* track = add_track(app, model_arguments);
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
@@ -72,8 +211,13 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, std::string(error.what()) + "; see touchstone --help");
     }
-    RunOptions options = to_run_options(arguments);
-    if (arguments.print_config) return PrintedText{print_config(options.config)};
+    for (const CLI::App* command : {scan, track}) {
+        if (command->parsed()) check_no_options_before(app, command->get_name());
+    }
+    if (scan->parsed()) return to_scan_options(model_arguments);
+    if (track->parsed()) return to_track_options(model_arguments);
+    RunOptions options = to_run_options(run_arguments);
+    if (run_arguments.print_config) return PrintedText{print_config(options.config)};
     return options;
 }
 

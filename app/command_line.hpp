@@ -22,12 +22,31 @@ struct RunOptions {
     std::optional<int> frames;  ///< end after so many processed frames
 };
 
+/// `touchstone scan`: a fixed camera's surroundings, once.
+struct ScanOptions {
+    Config config;
+    std::optional<Pace> pace;
+    std::optional<int> frames;
+    std::string scan_file;
+    std::optional<std::string> mesh_file;
+};
+
+/// `touchstone track`: a moving camera, or an object turned by hand before a fixed one.
+struct TrackOptions {
+    Config config;             ///< sensor_uri is not empty
+    std::optional<Pace> pace;  ///< else the source's own
+    std::optional<std::string> trajectory_file, mesh_file, scan_file;
+    int voxels = 512;
+    float side_m = 4.8f;
+    std::optional<int> frames;
+};
+
 /// Text for standard output and then success: --help, --version, --print-config.
 struct PrintedText {
     std::string text;
 };
 
-using Command = std::variant<RunOptions, PrintedText>;
+using Command = std::variant<RunOptions, ScanOptions, TrackOptions, PrintedText>;
 
 /// Throws Error{usage} for what is not understood, Error{configuration or no_input} for the configuration
 /// file.

@@ -3,6 +3,8 @@
 
 #include "app/command_line.hpp"
 #include "app/run_command.hpp"
+#include "app/scan_command.hpp"
+#include "app/track_command.hpp"
 #include "platform/system/error.hpp"
 
 namespace {
@@ -12,6 +14,10 @@ touchstone::ExitStatus execute(const touchstone::Command& command) {
         std::fputs(printed->text.c_str(), stdout);
         return touchstone::ExitStatus::ok;
     }
+    if (const auto* scan = std::get_if<touchstone::ScanOptions>(&command))
+        return touchstone::scan_command(*scan);
+    if (const auto* track = std::get_if<touchstone::TrackOptions>(&command))
+        return touchstone::track_command(*track);
     return touchstone::run_command(std::get<touchstone::RunOptions>(command));
 }
 

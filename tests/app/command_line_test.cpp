@@ -38,6 +38,102 @@ TEST(CommandLine, PrintConfigAndHelpAreTextsForStandardOutput) {
     EXPECT_FALSE(std::get<PrintedText>(parse({"--version"})).text.empty());
 }
 
+TEST(CommandLine, ScanNeedsAFileAndTakesTheRest) {
+    const ScanOptions plain = std::get<ScanOptions>(parse({"scan", "--scan", "room.scan"}));
+    EXPECT_EQ(plain.scan_file, "room.scan");
+    EXPECT_EQ(plain.config.sensor_uri, "");
+    EXPECT_FALSE(plain.frames || plain.mesh_file || plain.pace);
+    EXPECT_TRUE(plain.config.interaction.background.fit_side);
+    const ScanOptions whole =
+        std::get<ScanOptions>(parse({"scan", "--sensor", "sim:flat", "--frames", "9", "--scan", "a", "--mesh",
+                                     "b.ply", "--pace", "step"}));
+    EXPECT_EQ(whole.config.sensor_uri, "sim:flat");
+    EXPECT_EQ(whole.frames, 9);
+    EXPECT_EQ(whole.mesh_file, "b.ply");
+    EXPECT_EQ(whole.pace, Pace::step);
+}
+
+TEST(CommandLine, TrackHasItsOwnVolume) {
+    const TrackOptions plain = std::get<TrackOptions>(parse({"track", "--sensor", "seq:/data"}));
+    EXPECT_EQ(plain.config.sensor_uri, "seq:/data");
+    EXPECT_EQ(plain.voxels, 512);
+    EXPECT_EQ(plain.side_m, 4.8f);
+    EXPECT_FALSE(plain.trajectory_file || plain.mesh_file || plain.scan_file || plain.frames || plain.pace);
+    const TrackOptions whole = std::get<TrackOptions>(
+        parse({"track", "--sensor", "seq:/data", "--trajectory", "t", "--mesh", "m.obj", "--scan", "s",
+               "--voxels", "256", "--side", "3", "--frames", "5", "--pace", "live"}));
+    EXPECT_EQ(whole.trajectory_file, "t");
+    EXPECT_EQ(whole.mesh_file, "m.obj");
+    EXPECT_EQ(whole.scan_file, "s");
+    EXPECT_EQ(whole.voxels, 256);
+    EXPECT_EQ(whole.side_m, 3.0f);
+    EXPECT_EQ(whole.frames, 5);
+    EXPECT_EQ(whole.pace, Pace::live);
+}
+
+TEST(CommandLine, VolumeOfTheFixedCamera) {
+    const BackgroundConfig voxels =
+        std::get<RunOptions>(parse({"run", "--voxels", "128"})).config.interaction.background;
+    EXPECT_EQ(voxels.volume.size_vox, 128);
+    EXPECT_TRUE(voxels.fit_side);
+    const BackgroundConfig side =
+        std::get<ScanOptions>(parse({"scan", "--scan", "a", "--side", "2.5"})).config.interaction.background;
+    EXPECT_EQ(side.volume.side_m, 2.5f);
+    EXPECT_FALSE(side.fit_side);
+}
+
+TEST(CommandLine, VolumesThatCannotBeAreUsageErrors) {
+    for (const char* voxels : {"0", "63", "100", "1032", "-64", "64.5", "many", "99999999999999999999"}) {
+        expect_error(
+            [&] {
+                (void)parse({"track", "--sensor", "sim:flat", "--voxels", voxels});
+            },
+            ExitStatus::usage,
+            testing::AllOf(testing::HasSubstr("--voxels"), testing::HasSubstr("from 64 to 1024")));
+    }
+    for (const char* side : {"0", "0.1", "10.1", "-1", "nan", "inf", "wide"}) {
+        expect_error(
+            [&] {
+                (void)parse({"track", "--sensor", "sim:flat", "--side", side});
+            },
+            ExitStatus::usage,
+            testing::AllOf(testing::HasSubstr("--side"), testing::HasSubstr("from 0.2 to 10")));
+    }
+}
+
+TEST(CommandLine, WhatScanAndTrackCannotDoWithout) {
+    expect_error([] { (void)parse({"track"}); }, ExitStatus::usage, testing::HasSubstr("--sensor"));
+    expect_error(
+        [] {
+            (void)parse({"track", "--sensor", ""});
+        },
+        ExitStatus::usage, testing::HasSubstr("--sensor"));
+    expect_error([] { (void)parse({"scan"}); }, ExitStatus::usage, testing::HasSubstr("--scan"));
+    expect_error(
+        [] {
+            (void)parse({"scan", "--scan", ""});
+        },
+        ExitStatus::usage, testing::HasSubstr("--scan"));
+}
+
+TEST(CommandLine, NothingGivenIsLost) {
+    expect_error(
+        [] {
+            (void)parse({"--frames", "3", "scan", "--scan", "a"});
+        },
+        ExitStatus::usage, testing::HasSubstr("--frames goes behind scan"));
+    expect_error(
+        [] {
+            (void)parse({"scan", "--scan", "a.ply", "--mesh", "a.ply"});
+        },
+        ExitStatus::usage, testing::HasSubstr("a.ply is named for two results"));
+    expect_error(
+        [] {
+            (void)parse({"scan", "--scan", "a", "--trajectory", "t"});
+        },
+        ExitStatus::usage, testing::HasSubstr("--trajectory"));
+}
+
 TEST(CommandLine, WhatIsNotUnderstoodIsAUsageError) {
     for (const auto& words : std::vector<std::vector<const char*>>{{"--nonsense"},
                                                                    {"run", "--pace", "fast"},
