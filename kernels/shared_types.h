@@ -53,6 +53,14 @@ typedef struct VolumeParams {
     int reserved[2];
 } VolumeParams;
 
+/* A pixel's weight in Listing 2 is most (reference_sigma_m / sigma_z(z, theta))^2, from 1 to most; none where the surface is
+ * seen at a cosine below min_cos or the pixel is between two neighbours more than gap_per_m z before and behind it. */
+typedef struct SampleWeightParams {
+    SensorNoise noise;
+    float reference_sigma_m, min_cos, gap_per_m;
+    int most;
+} SampleWeightParams;
+
 /* What a brick is to the present depth picture. */
 #define BRICK_EDGE_PIXELS 6
 enum BrickClass { BRICK_HIDDEN = 0, BRICK_NEAR_SURFACE = 1, BRICK_FREE_SPACE = 2 };

@@ -63,24 +63,25 @@ BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& c
     : config_(config),
       placement_(placement),
       volume_(device, with_side(config.volume, placement.side_m)),
+      weighting_(device, config.weights, intrinsics),
       integration_(device, intrinsics),
       raycasting_(device, intrinsics),
-      prediction_(device, make_map_shape(intrinsics)),
-      no_mask_(device, map_pixels(make_map_shape(intrinsics))) {
-    no_mask_.fill(0);
+      prediction_(device, make_map_shape(intrinsics)) {
     prediction_.depth_m.fill(0.0f);
     prediction_.normals_c.fill(0.0f);
 }
 
-void BackgroundModel::scan(const Buffer<float>& depth_m) {
-    integration_.integrate(volume_, depth_m, no_mask_, placement_.T_g_c, all_layers(volume_));
+void BackgroundModel::scan(const LiveMaps& live) {
+    integration_.integrate(volume_, live.depth_m, weighting_.weigh(live), placement_.T_g_c,
+                           all_layers(volume_));
     raycasting_.raycast(volume_, placement_.T_g_c, prediction_);
 }
 
-void BackgroundModel::follow(const Buffer<float>& depth_m, const Buffer<std::uint8_t>& mask) {
+void BackgroundModel::follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask) {
     const BrickLayers share = layer_share(volume_, next_part_, config_.refresh_parts);
     next_part_ = (next_part_ + 1) % config_.refresh_parts;
-    const std::vector<int>& changed = integration_.integrate(volume_, depth_m, mask, placement_.T_g_c, share);
+    const std::vector<int>& changed =
+        integration_.integrate(volume_, live.depth_m, weighting_.weigh(live, mask), placement_.T_g_c, share);
     raycasting_.refresh(volume_, placement_.T_g_c, changed, prediction_);
 }
 

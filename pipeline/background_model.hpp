@@ -5,6 +5,7 @@
 
 #include "pipeline/maps.hpp"
 #include "pipeline/raycasting.hpp"
+#include "pipeline/sample_weights.hpp"
 #include "pipeline/tsdf_volume.hpp"
 #include "pipeline/types.hpp"
 #include "pipeline/volumetric_integration.hpp"
@@ -13,6 +14,9 @@ namespace touchstone {
 
 struct BackgroundConfig {
     VolumeConfig volume;
+    /// A fixed camera sees a voxel always at the same depth and angle: all its samples weigh alike, and 1
+    /// lets 8-bit weights average over the most frames.
+    SampleWeightConfig weights{.most = 1};
     bool fit_side = true;  ///< side and place from what the first frame sees, 1 to 5 m; else volume.side_m
     float max_volume_depth_m = 4.5f;  ///< what is farther away does not widen the fitted volume
     int refresh_parts = 8;            ///< while live, each frame keeps up one of so many slices
@@ -36,9 +40,9 @@ class BackgroundModel {
                     const VolumePlacement& placement);
 
     /// Fuses a whole frame and predicts the whole view: while scanning.
-    void scan(const Buffer<float>& depth_m);
+    void scan(const LiveMaps& live);
     /// Fuses one slice of a masked frame and refreshes what changed: while live.
-    void follow(const Buffer<float>& depth_m, const Buffer<std::uint8_t>& mask);
+    void follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask);
 
     const TsdfVolume& volume() const { return volume_; }
     const SurfacePrediction& prediction() const { return prediction_; }
@@ -48,10 +52,10 @@ class BackgroundModel {
     BackgroundConfig config_;
     VolumePlacement placement_;
     TsdfVolume volume_;
+    SampleWeighting weighting_;
     VolumetricIntegration integration_;
     Raycasting raycasting_;
     SurfacePrediction prediction_;
-    Buffer<std::uint8_t> no_mask_;
     int next_part_ = 0;
 };
 

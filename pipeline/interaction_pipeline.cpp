@@ -8,6 +8,7 @@ namespace {
 
 InteractionConfig with_shared_noise(InteractionConfig config) {
     config.conversion.noise = config.noise;
+    config.background.weights.noise = config.noise;
     config.segmentation.association.noise = config.noise;
     config.segmentation.components.noise = config.noise;
     config.touch.map.noise = config.noise;
@@ -78,7 +79,7 @@ bool InteractionPipeline::place_volume(const DepthView& view) {
 
 void InteractionPipeline::scan(InteractionFrame& frame) {
     const StageTimer timer(times_, "background scan");
-    background_->scan(live_.depth_m);
+    background_->scan(live_);
     segmentation_.learn(live_, background_->prediction());
     device_->finish();
     ++scanned_frames_;
@@ -121,7 +122,7 @@ void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame&
         conversion_.set_column_shift(drift_.update(live_, background, foreground));
     }
     const StageTimer timer(times_, "volumetric integration, raycast");
-    background_->follow(live_.depth_m, foreground.background_mask);
+    background_->follow(live_, foreground.background_mask);
     device_->finish();
 }
 

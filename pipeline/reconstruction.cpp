@@ -9,6 +9,7 @@ namespace {
 ReconstructionConfig with_shared_noise(ReconstructionConfig config) {
     config.conversion.noise = config.noise;
     config.tracking.noise = config.noise;
+    config.weights.noise = config.noise;
     return config;
 }
 
@@ -21,16 +22,14 @@ Reconstruction::Reconstruction(const Device& device, const ReconstructionConfig&
       conversion_(device, config_.conversion, intrinsics),
       tracking_(device, config_.tracking, intrinsics),
       volume_(device, config_.volume),
+      weighting_(device, config_.weights, intrinsics),
       integration_(device, intrinsics),
       raycasting_(device, intrinsics),
       live_(device, make_map_shape(intrinsics)),
       prediction_(device, make_map_shape(intrinsics)),
-      no_mask_(device, map_pixels(make_map_shape(intrinsics))),
       T_g_c_(T_g_c),
       T_g_p_(T_g_c),
-      velocity_(RigidTransform::Identity()) {
-    no_mask_.fill(0);
-}
+      velocity_(RigidTransform::Identity()) {}
 
 ReconstructionFrame Reconstruction::process(const DepthView& view) {
     ReconstructionFrame frame;
@@ -74,7 +73,7 @@ void Reconstruction::track(ReconstructionFrame& frame) {
 
 void Reconstruction::fuse() {
     const StageTimer timer(times_, "volumetric integration");
-    integration_.integrate(volume_, live_.depth_m, no_mask_, T_g_c_, all_layers(volume_));
+    integration_.integrate(volume_, live_.depth_m, weighting_.weigh(live_), T_g_c_, all_layers(volume_));
     empty_ = false;
     device_->finish();
 }

@@ -7,6 +7,7 @@
 #include "pipeline/camera_tracking.hpp"
 #include "pipeline/depth_map_conversion.hpp"
 #include "pipeline/raycasting.hpp"
+#include "pipeline/sample_weights.hpp"
 #include "pipeline/volumetric_integration.hpp"
 #include "platform/system/stage_timer.hpp"
 
@@ -17,6 +18,7 @@ struct ReconstructionConfig {
     DepthMapConversionConfig conversion;
     CameraTrackingConfig tracking;
     VolumeConfig volume;
+    SampleWeightConfig weights;
 };
 
 /// What one frame gave.
@@ -52,11 +54,11 @@ class Reconstruction {
     DepthMapConversion conversion_;
     CameraTracking tracking_;
     TsdfVolume volume_;
+    SampleWeighting weighting_;
     VolumetricIntegration integration_;
     Raycasting raycasting_;
     LiveMaps live_;
     SurfacePrediction prediction_;
-    Buffer<std::uint8_t> no_mask_;
     RigidTransform T_g_c_;     // of the last frame that was tracked
     RigidTransform T_g_p_;     // of the prediction
     RigidTransform velocity_;  // T_p_c of the last step

@@ -51,8 +51,8 @@ class SelfTest {
         VolumePlacement placement{0.64f, RigidTransform::Identity()};
         placement.T_g_c.translation() = Eigen::Vector3f(0.32f, 0.32f, 0.32f - wall_m);
         BackgroundModel background(device_, config, camera, placement);
-        for (int frame = 0; frame < 3; ++frame) background.scan(live_.depth_m);
-        expect_near("listing_2_tsdf_integration, listing_3_raycast",
+        for (int frame = 0; frame < 3; ++frame) background.scan(live_);
+        expect_near("sample_weights, listing_2_tsdf_integration, listing_3_raycast",
                     at(background.prediction().depth_m, center()), wall_m, 0.001f);
         ForegroundSegmentation segmentation(device_, {}, camera);
         segmentation.learn(live_, background.prediction());

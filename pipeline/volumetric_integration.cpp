@@ -24,7 +24,7 @@ VolumetricIntegration::VolumetricIntegration(const Device& device, const Intrins
       tile_ranges_m_(device, 2 * static_cast<std::size_t>(tile_count(shape_))) {}
 
 const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, const Buffer<float>& depth_m,
-                                                         const Buffer<std::uint8_t>& mask,
+                                                         const Buffer<std::uint8_t>& sample_weights,
                                                          const RigidTransform& T_g_c,
                                                          const BrickLayers& layers) {
     const Pose T_c_g = to_pose(T_g_c.inverse());
@@ -34,8 +34,8 @@ const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, con
     select_bricks(volume, layers);
     if (updated_bricks_.empty()) return updated_bricks_;
     const LaunchSize size{{64 * updated_bricks_.size(), 1, 1}, {64, 1, 1}};
-    integrate_.launch(size, slots_, volume.brick_of_slot(), volume.pool(), volume.has_inside(), depth_m, mask,
-                      volume.params(), intrinsics_, shape_, T_c_g);
+    integrate_.launch(size, slots_, volume.brick_of_slot(), volume.pool(), volume.has_inside(), depth_m,
+                      sample_weights, volume.params(), intrinsics_, shape_, T_c_g);
     return updated_bricks_;
 }
 

@@ -21,16 +21,17 @@ BrickLayers all_layers(const TsdfVolume& volume);
 /// Part `index` of `parts` about equal parts.
 BrickLayers layer_share(const TsdfVolume& volume, int index, int parts);
 
-/// Fig 11c, Listing 2: fuses a masked depth picture into a volume, touching only bricks near or in front of
+/// Fig 11c, Listing 2: fuses a weighted depth picture into a volume, touching only bricks near or in front of
 /// the surface.
 class VolumetricIntegration {
   public:
     VolumetricIntegration(const Device& device, const Intrinsics& intrinsics);
 
-    /// Allocates the bricks near the surface in these layers and updates them and those in free space. Pixels
-    /// with a mask value other than 0 are left out. Gives the table indices of the bricks it updated.
+    /// Allocates the bricks near the surface in these layers and updates them and those in free space.
+    /// `sample_weights` is SampleWeighting's; pixels of weight 0 are left out. Gives the table indices of the
+    /// bricks it updated.
     const std::vector<int>& integrate(TsdfVolume& volume, const Buffer<float>& depth_m,
-                                      const Buffer<std::uint8_t>& mask, const RigidTransform& T_g_c,
+                                      const Buffer<std::uint8_t>& sample_weights, const RigidTransform& T_g_c,
                                       const BrickLayers& layers);
 
   private:

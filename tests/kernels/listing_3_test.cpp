@@ -19,9 +19,9 @@ class Listing3 : public testing::Test {
     void fuse(const std::vector<float>& picture_m, const RigidTransform& T_g_c) {
         const Buffer<float> depth(device, test::padded<float>(shape, picture_m));
         const std::vector<int>& changed =
-            integration.integrate(volume, depth, no_mask, T_g_c, all_layers(volume));
+            integration.integrate(volume, depth, weights, T_g_c, all_layers(volume));
         changed_bricks.assign(changed.begin(), changed.end());
-        reference::integrate(dense, picture_m, std::vector<std::uint8_t>(picture_m.size(), 0), k, T_g_c);
+        reference::integrate(dense, picture_m, std::vector<std::uint8_t>(picture_m.size(), 1), k, T_g_c);
     }
 
     Device device{DeviceConfig{}};
@@ -30,10 +30,10 @@ class Listing3 : public testing::Test {
     test::DepthOfRay surface = test::both(test::plane(Eigen::Vector3f(0.2f, 0.4f, 1.0f).normalized(), 0.7f),
                                           test::sphere({0.0f, 0.0f, 0.6f}, 0.1f));
     std::vector<float> depth_m = test::render_depth_m(k, surface);
-    Buffer<std::uint8_t> no_mask = [&] {
-        Buffer<std::uint8_t> mask(device, map_pixels(shape));
-        mask.fill(0);
-        return mask;
+    Buffer<std::uint8_t> weights = [&] {
+        Buffer<std::uint8_t> map(device, map_pixels(shape));
+        map.fill(1);
+        return map;
     }();
     TsdfVolume volume{device, small_volume()};
     reference::DenseVolume dense{volume.params()};
@@ -109,7 +109,7 @@ TEST_F(Listing3, RefreshedTilesEqualAFullRaycast) {
     const Buffer<float> depth(device, test::padded<float>(shape, moved_m));
     for (int part = 0; part < 4; ++part) {
         const std::vector<int>& changed =
-            integration.integrate(volume, depth, no_mask, pose_in_front(), layer_share(volume, part, 4));
+            integration.integrate(volume, depth, weights, pose_in_front(), layer_share(volume, part, 4));
         raycasting.refresh(volume, pose_in_front(), changed, cached);
         raycasting.raycast(volume, pose_in_front(), prediction);
         ASSERT_EQ(cached.depth_m.read(), prediction.depth_m.read()) << "part " << part;

@@ -43,9 +43,13 @@ TEST(FitVolume, NothingSeenGivesNothing) {
 
 class FollowTest : public testing::Test {
   protected:
-    Buffer<float> depth_map(float depth_m) {
+    /// A wall; without normals, as where a surface is seen in single pixels only.
+    LiveMaps wall(float depth_m) {
         const std::vector<float> picture(static_cast<std::size_t>(k.width_px * k.height_px), depth_m);
-        return Buffer<float>(device, test::padded<float>(shape, picture));
+        LiveMaps live(device, shape);
+        live.depth_m.write(test::padded<float>(shape, picture));
+        live.normals_c.fill(0.0f);
+        return live;
     }
     float center_depth_m(const BackgroundModel& model) {
         return model.prediction().depth_m.read()[map_index(shape, k.width_px / 2, k.height_px / 2)];
@@ -63,7 +67,7 @@ TEST_F(FollowTest, MovesWithASlowChangeButNotUnderTheMask) {
     VolumePlacement placement{1.28f, RigidTransform::Identity()};
     placement.T_g_c.translation() = Eigen::Vector3f(0.64f, 0.64f, -0.36f);
     BackgroundModel model(device, config, k, placement);
-    const Buffer<float> before = depth_map(1.0f), after = depth_map(1.006f);
+    const LiveMaps before = wall(1.0f), after = wall(1.006f);
     for (int frame = 0; frame < 10; ++frame) model.scan(before);
     EXPECT_NEAR(center_depth_m(model), 1.0f, 0.001f);
     Buffer<std::uint8_t> mask(device, map_pixels(shape));

@@ -30,9 +30,29 @@ struct DenseVolume {
     std::vector<Voxel> voxels;
 };
 
-/// depth_m, mask: row-major, width_px x height_px; mask != 0 is left out.
+/// How much a sample counts: less behind the surface, 1 in free space.
+inline int weight_along_ray(const VolumeParams& params, int weight, float sdf_m) {
+    if (sdf_m >= params.max_truncation_m) return 1;
+    const float share =
+        std::min(1.0f, (sdf_m + params.min_truncation_m) / (params.min_truncation_m - params.voxel_m));
+    return std::max(1, static_cast<int>(std::lround(static_cast<float>(weight) * share)));
+}
+
+/// One sample into one voxel.
+inline void update(const VolumeParams& params, Voxel& voxel, int weight, float sdf_m) {
+    if (sdf_m <= -params.min_truncation_m) return;                       // line 10, 11
+    const float tsdf = std::min(1.0f, sdf_m / params.max_truncation_m);  // lines 8, 9
+    const int sample = weight_along_ray(params, weight, sdf_m);
+    const bool left = voxel.weight > 0 && voxel.tsdf <= 0.0f && sdf_m >= params.max_truncation_m;
+    const int stored = left ? voxel.weight * 3 / 4 : voxel.weight;
+    const auto w = static_cast<float>(stored), s = static_cast<float>(sample);
+    voxel.tsdf = (voxel.tsdf * w + tsdf * s) / (w + s);           // line 13
+    voxel.weight = std::min(params.max_weight, stored + sample);  // lines 12, 14
+}
+
+/// depth_m, sample_weights: row-major, width_px x height_px; weight 0 is left out.
 inline void integrate(DenseVolume& volume, const std::vector<float>& depth_m,
-                      const std::vector<std::uint8_t>& mask, const Intrinsics& k,
+                      const std::vector<std::uint8_t>& sample_weights, const Intrinsics& k,
                       const Eigen::Isometry3f& T_g_c) {
     const VolumeParams& params = volume.params;
     const Eigen::Isometry3f T_c_g = T_g_c.inverse();
@@ -50,14 +70,9 @@ inline void integrate(DenseVolume& volume, const std::vector<float>& depth_m,
                 const int py = static_cast<int>(std::floor(v.y() / v.z() * k.fy_px + k.cy_px + 0.5f));
                 if (px < 0 || py < 0 || px >= k.width_px || py >= k.height_px) continue;  // line 6
                 const auto pixel = static_cast<std::size_t>(py * k.width_px + px);
-                if (depth_m[pixel] <= 0.0f || mask[pixel] != 0) continue;
+                if (depth_m[pixel] <= 0.0f || sample_weights[pixel] == 0) continue;
                 const float sdf_m = v.norm() / v.z() * (depth_m[pixel] - v.z());  // line 7
-                if (sdf_m <= -params.min_truncation_m) continue;
-                const float tsdf = std::min(1.0f, sdf_m / params.max_truncation_m);  // lines 8-11
-                Voxel& voxel = volume.at(x, y, z);
-                const auto w = static_cast<float>(voxel.weight);
-                voxel.tsdf = (voxel.tsdf * w + tsdf) / (w + 1.0f);             // line 13
-                voxel.weight = std::min(params.max_weight, voxel.weight + 1);  // lines 12, 14
+                update(params, volume.at(x, y, z), sample_weights[pixel], sdf_m);
             }
         }
     }
