@@ -66,18 +66,34 @@ void sync_folder(const std::filesystem::path& path) {
     if (folder.get() < 0 || ::fsync(folder.get()) != 0) fail(path, "flush of the folder", errno);
 }
 
+/// The name of the temporary file is fixed: what a power cut leaves behind is used up by the next write
+/// instead of piling up.
+std::string beside(const std::filesystem::path& path) { return path.string() + ".new"; }
+
+Descriptor open_beside(const std::filesystem::path& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw Error(ExitStatus::io_error, fmt::format("cannot write {}: it is not a file", path.string()));
+    const int fd = ::open(beside(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (fd < 0) fail(path, "make a file beside it", errno);
+    return Descriptor(fd);
+}
+
 }  // namespace
 
+void check_writable(const std::filesystem::path& path) {
+    const Descriptor file = open_beside(path);
+    const TemporaryFile temporary(beside(path));
+}
+
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
-    // A fixed name: what a power cut leaves behind is used up by the next write instead of piling up.
-    const std::string beside = path.string() + ".new";
-    Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666));
-    if (file.get() < 0) fail(path, "make a file beside it", errno);
-    TemporaryFile temporary(beside);
+    Descriptor file = open_beside(path);
+    TemporaryFile temporary(beside(path));
     write_all(file.get(), bytes, path);
     if (::fsync(file.get()) != 0) fail(path, "flush", errno);
     if (!file.close()) fail(path, "close", errno);
-    if (::rename(beside.c_str(), path.c_str()) != 0) fail(path, "rename", errno);
+    if (::rename(beside(path).c_str(), path.c_str()) != 0) fail(path, "rename", errno);
     temporary.keep();
     sync_folder(path);
 }

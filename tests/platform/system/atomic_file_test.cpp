@@ -69,9 +69,26 @@ TEST_F(AtomicFile, NamesPathAndReasonWhereItCannotWrite) {
     }
 }
 
-TEST_F(AtomicFile, AFailedRenameLeavesNothingBeside) {
-    std::filesystem::create_directories(folder_ / "scan.bin" / "occupied");
-    EXPECT_THROW(write_file_atomically(folder_ / "scan.bin", "x"), Error);
+TEST_F(AtomicFile, FoldersAndDevicesAreNotReplaced) {
+    const std::filesystem::path folder = folder_ / "scan.bin", link = folder_ / "full";
+    std::filesystem::create_directories(folder);
+    std::filesystem::create_symlink("/dev/full", link);
+    for (const std::filesystem::path& path : {folder, link}) {
+        EXPECT_THROW(write_file_atomically(path, "x"), Error);
+        EXPECT_THROW(check_writable(path), Error);
+    }
+    EXPECT_EQ(files(), 2u);
+    EXPECT_TRUE(std::filesystem::is_directory(folder));
+    EXPECT_TRUE(std::filesystem::is_character_file(link));
+}
+
+TEST_F(AtomicFile, WhetherItCanBeWrittenIsKnownBefore) {
+    EXPECT_THROW(check_writable(folder_ / "missing" / "scan.bin"), Error);
+    check_writable(folder_ / "new.bin");
+    EXPECT_EQ(files(), 0u);
+    write_file_atomically(folder_ / "scan.bin", "old");
+    check_writable(folder_ / "scan.bin");
+    EXPECT_EQ(content_of(folder_ / "scan.bin"), "old");
     EXPECT_EQ(files(), 1u);
 }
 
