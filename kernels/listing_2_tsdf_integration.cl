@@ -28,16 +28,17 @@ __kernel void integrate(__global const int* slots, __global const int* brick_of_
     const float8 lambda = sqrt(1.0f + (v_c.x * v_c.x + v_c.y * v_c.y) * inverse_z * inverse_z);
     const float8 sdf_m = lambda * (measured_m - v_c.z);  // L2:7
     // Behind the surface stays unknown, and both sides share one scale (PAPER.md#2).
-    const int8 used = (pixel >= 0) & (measured_m > 0.0f) & (pixel_weight > 0) & (sdf_m > -volume.min_truncation_m);  // L2:10
-    if (!any(used)) return;
+    const int8 sampled = (pixel >= 0) & (measured_m > 0.0f) & (pixel_weight > 0) & (sdf_m > -volume.min_truncation_m);  // L2:10
+    if (!any(sampled)) return;
     const float8 tsdf = fmin(1.0f, sdf_m / volume.max_truncation_m);  // L2:8 L2:9 L2:11
     __global int* voxels = pool + slot * BRICK_VOXELS + row * BRICK_VOX;
-    const int8 old = vload8(0, voxels);
+    const int8 old = vload8(0, voxels), stored_weight = voxel_weight8(old);
+    const float8 old_tsdf = voxel_tsdf8(old);
     const int8 is_free = sdf_m >= volume.max_truncation_m;
     const int8 sample_weight = weight_along_ray8(pixel_weight, sdf_m, is_free, volume);
-    const float8 old_tsdf = voxel_tsdf8(old);
-    const int8 stored_weight = voxel_weight8(old);
-    // Free space where a thing was: it left, or is worn at its edge. Each such frame takes a quarter of the old weight.
+    // Free space before a surface tells nothing new; beside a thin thing it would wear the thing away.
+    const int8 used = sampled & ~(is_free & (old_tsdf > 0.0f) & (old_tsdf < 1.0f));
+    // Free space where a thing was: the thing left. Each such frame takes a quarter of the old weight.
     const int8 old_weight = select(stored_weight, stored_weight * 3 / 4, is_free & (old_tsdf <= 0.0f));
     const int8 weight = min(old_weight + sample_weight, volume.max_weight);  // L2:12
     const float8 old_weight_f = convert_float8(old_weight), sample_weight_f = convert_float8(sample_weight);

@@ -43,8 +43,9 @@ inline void update(const VolumeParams& params, Voxel& voxel, int weight, float s
     if (sdf_m <= -params.min_truncation_m) return;                       // line 10, 11
     const float tsdf = std::min(1.0f, sdf_m / params.max_truncation_m);  // lines 8, 9
     const int sample = weight_along_ray(params, weight, sdf_m);
-    const bool left = voxel.weight > 0 && voxel.tsdf <= 0.0f && sdf_m >= params.max_truncation_m;
-    const int stored = left ? voxel.weight * 3 / 4 : voxel.weight;
+    const bool is_free = sdf_m >= params.max_truncation_m;
+    if (is_free && voxel.tsdf > 0.0f && voxel.tsdf < 1.0f) return;
+    const int stored = is_free && voxel.tsdf <= 0.0f ? voxel.weight * 3 / 4 : voxel.weight;
     const auto w = static_cast<float>(stored), s = static_cast<float>(sample);
     voxel.tsdf = (voxel.tsdf * w + tsdf * s) / (w + s);           // line 13
     voxel.weight = std::min(params.max_weight, stored + sample);  // lines 12, 14
