@@ -1,13 +1,19 @@
 /* Which bricks a depth picture touches, and which part of the picture a brick covers: no rays, no holes. */
 
-/* Nearest and farthest valid depth of each 16x16 tile (0, 0 where there is none). One tile a work-item. */
-__kernel void depth_tile_ranges(__global const float* depth_m, __global float2* ranges_m, const MapShape shape) {
+/* The depths that are integrated: 0 where the sample's weight is 0. */
+inline float8 load_weighted8(__global const float* depth_m, __global const uchar* sample_weights, const int at) {
+    return select((float8)(0.0f), vload8(0, depth_m + at), convert_int8(vload8(0, sample_weights + at)) != 0);
+}
+
+/* Nearest and farthest depth of each 16x16 tile (0, 0 where there is none). One tile a work-item. */
+__kernel void depth_tile_ranges(__global const float* depth_m, __global const uchar* sample_weights, __global float2* ranges_m,
+                                const MapShape shape) {
     const int tile_x = (int)get_global_id(0), tile_y = (int)get_global_id(1);
     float8 nearest = (float8)(FLT_MAX), farthest = (float8)(0.0f);
     for (int j = 0; j < TILE_PX; ++j) {
-        __global const float* row = depth_m + (tile_y * TILE_PX + j) * shape.pitch_px + tile_x * TILE_PX;
+        const int row = (tile_y * TILE_PX + j) * shape.pitch_px + tile_x * TILE_PX;
         for (int i = 0; i < TILE_PX; i += 8) {
-            const float8 z = vload8(0, row + i);
+            const float8 z = load_weighted8(depth_m, sample_weights, row + i);
             nearest = fmin(nearest, select((float8)(FLT_MAX), z, z > 0.0f));
             farthest = fmax(farthest, z);
         }
@@ -57,14 +63,14 @@ inline BrickView view_brick(const int brick, const VolumeParams volume, const In
 }
 
 /* How many pixels of a tile that the brick covers have a depth within low_m to high_m. */
-inline int count_depths_within(__global const float* depth_m, const MapShape shape, const int tx, const int ty,
-                             const int4 pixels, const float low_m, const float high_m) {
+inline int count_depths_within(__global const float* depth_m, __global const uchar* sample_weights, const MapShape shape,
+                               const int tx, const int ty, const int4 pixels, const float low_m, const float high_m) {
     const int x0 = max(tx * TILE_PX, pixels.x & ~7), x1 = min(tx * TILE_PX + TILE_PX - 1, pixels.y);
     const int y0 = max(ty * TILE_PX, pixels.z), y1 = min(ty * TILE_PX + TILE_PX - 1, pixels.w);
     int8 count = (int8)(0);
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; x += 8) {
-            const float8 z = vload8(0, depth_m + y * shape.pitch_px + x);
+            const float8 z = load_weighted8(depth_m, sample_weights, y * shape.pitch_px + x);
             count -= (z > 0.0f) & (z >= low_m) & (z <= high_m);
         }
     }
@@ -75,8 +81,8 @@ inline int count_depths_within(__global const float* depth_m, const MapShape sha
 /* Class of the bricks of the layers first_layer ... along y against the tile ranges. One brick a work-item: global size
  * (bricks_per_side rounded up, layers, bricks_per_side). A tile with an edge in it spans much depth: its pixels
  * decide, and single ones, that fly between the edge's two sides, do not. */
-__kernel void classify_bricks(__global const float* depth_m, __global const float2* ranges_m, __global uchar* classes, const int first_layer,
-                              const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
+__kernel void classify_bricks(__global const float* depth_m, __global const uchar* sample_weights, __global const float2* ranges_m,
+                              __global uchar* classes, const int first_layer, const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const int n = volume.bricks_per_side, x = (int)get_global_id(0), z = (int)get_global_id(2);
     if (x >= n) return;
     const int brick = (z * n + first_layer + (int)get_global_id(1)) * n + x;
@@ -91,7 +97,7 @@ __kernel void classify_bricks(__global const float* depth_m, __global const floa
             if (range.y <= 0.0f || range.y < low_m) continue;
             const bool wide = range.y - range.x > volume.max_truncation_m;
             if (range.x <= high_m && wide) {
-                edge_pixels += count_depths_within(depth_m, shape, tx, ty, view.pixels, low_m, high_m);
+                edge_pixels += count_depths_within(depth_m, sample_weights, shape, tx, ty, view.pixels, low_m, high_m);
             }
             if (range.x <= high_m && (!wide || edge_pixels >= BRICK_EDGE_PIXELS)) {
                 result = BRICK_NEAR_SURFACE;

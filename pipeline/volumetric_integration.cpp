@@ -30,7 +30,7 @@ const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, con
     const Pose T_c_g = to_pose(T_g_c.inverse());
     updated_bricks_.clear();
     if (layers.count <= 0) return updated_bricks_;
-    classify(volume, depth_m, T_c_g, layers);
+    classify(volume, depth_m, sample_weights, T_c_g, layers);
     select_bricks(volume, layers);
     if (updated_bricks_.empty()) return updated_bricks_;
     const LaunchSize size{{64 * updated_bricks_.size(), 1, 1}, {64, 1, 1}};
@@ -40,15 +40,18 @@ const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, con
 }
 
 void VolumetricIntegration::classify(const TsdfVolume& volume, const Buffer<float>& depth_m,
-                                     const Pose& T_c_g, const BrickLayers& layers) {
+                                     const Buffer<std::uint8_t>& sample_weights, const Pose& T_c_g,
+                                     const BrickLayers& layers) {
     const auto tiles_x = static_cast<std::size_t>(tiles_per_row(shape_));
     const auto tiles_y = static_cast<std::size_t>(shape_.rows_px / TILE_PX);
-    depth_tile_ranges_.launch({{tiles_x, tiles_y, 1}, {1, 1, 1}}, depth_m, tile_ranges_m_, shape_);
+    depth_tile_ranges_.launch({{tiles_x, tiles_y, 1}, {1, 1, 1}}, depth_m, sample_weights, tile_ranges_m_,
+                              shape_);
     const auto side = static_cast<std::size_t>(volume.params().bricks_per_side);
     const auto count = static_cast<std::size_t>(layers.count);
     if (classes_.size() < side * count * side) classes_ = Buffer<std::uint8_t>(*device_, side * count * side);
-    classify_bricks_.launch({{round_up(side, 64), count, side}, {64, 1, 1}}, depth_m, tile_ranges_m_,
-                            classes_, layers.first, volume.params(), intrinsics_, shape_, T_c_g);
+    classify_bricks_.launch({{round_up(side, 64), count, side}, {64, 1, 1}}, depth_m, sample_weights,
+                            tile_ranges_m_, classes_, layers.first, volume.params(), intrinsics_, shape_,
+                            T_c_g);
 }
 
 void VolumetricIntegration::select_bricks(TsdfVolume& volume, const BrickLayers& layers) {

@@ -28,15 +28,15 @@ class VolumetricIntegration {
     VolumetricIntegration(const Device& device, const Intrinsics& intrinsics);
 
     /// Allocates the bricks near the surface in these layers and updates them and those in free space.
-    /// `sample_weights` is SampleWeighting's; pixels of weight 0 are left out. Gives the table indices of the
-    /// bricks it updated.
+    /// `sample_weights` is SampleWeighting's; pixels of weight 0 are left out and allocate nothing. Gives the
+    /// table indices of the bricks it updated.
     const std::vector<int>& integrate(TsdfVolume& volume, const Buffer<float>& depth_m,
                                       const Buffer<std::uint8_t>& sample_weights, const RigidTransform& T_g_c,
                                       const BrickLayers& layers);
 
   private:
-    void classify(const TsdfVolume& volume, const Buffer<float>& depth_m, const Pose& T_c_g,
-                  const BrickLayers& layers);
+    void classify(const TsdfVolume& volume, const Buffer<float>& depth_m,
+                  const Buffer<std::uint8_t>& sample_weights, const Pose& T_c_g, const BrickLayers& layers);
     void select_bricks(TsdfVolume& volume, const BrickLayers& layers);
 
     const Device* device_;
