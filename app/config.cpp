@@ -1,5 +1,7 @@
 #include "app/config.hpp"
 
+#include "platform/system/error.hpp"
+
 namespace touchstone {
 
 namespace {
@@ -56,6 +58,18 @@ void add_sensor_keys(KeyList& keys, Config& config) {
 }
 
 }  // namespace
+
+DeviceConfig device_config(const Config& config) {
+    DeviceConfig device = config.compute;
+    device.cache_dir = default_cache_dir();
+    return device;
+}
+
+LogLevel log_level(const Config& config) {
+    const std::optional<LogLevel> level = parse_log_level(config.log_level);
+    if (!level) throw Error(ExitStatus::configuration, "log.level is debug, info, warning or error");
+    return *level;
+}
 
 std::vector<ConfigKey> config_keys(Config& config) {
     KeyList keys;

@@ -7,6 +7,7 @@
 #include "pipeline/interaction_pipeline.hpp"
 #include "platform/opencl/device.hpp"
 #include "platform/output/tuio_sink.hpp"
+#include "platform/system/log.hpp"
 
 namespace touchstone {
 
@@ -26,6 +27,12 @@ struct Config {
     DisplayConfig display;
     std::string log_level = "info";
 };
+
+/// The compute device of the configuration, with the kernel cache in its place.
+DeviceConfig device_config(const Config& config);
+
+/// Throws Error{configuration} for a word that is no level.
+LogLevel log_level(const Config& config);
 
 /// One key of the configuration file: where its value lies, what it may be, what it is for.
 struct ConfigKey {

@@ -22,12 +22,6 @@ std::vector<std::unique_ptr<TouchSink>> make_sinks(const RunOptions& options) {
     return sinks;
 }
 
-DeviceConfig device_config(const RunOptions& options) {
-    DeviceConfig config = options.config.compute;
-    config.cache_dir = default_cache_dir();
-    return config;
-}
-
 bool same_camera(const Intrinsics& a, const Intrinsics& b) {
     return a.width_px == b.width_px && a.height_px == b.height_px && a.fx_px == b.fx_px &&
            a.fy_px == b.fy_px && a.cx_px == b.cx_px && a.cy_px == b.cy_px;
@@ -36,7 +30,7 @@ bool same_camera(const Intrinsics& a, const Intrinsics& b) {
 }  // namespace
 
 Perception::Perception(const RunOptions& options)
-    : options_(options), device_(device_config(options)), sinks_(make_sinks(options)) {
+    : options_(options), device_(device_config(options.config)), sinks_(make_sinks(options)) {
     if (options.maps_dir) maps_.emplace(*options.maps_dir);
     run_self_test(device_);
     log_info("computing on {}", device_.name());

@@ -54,9 +54,7 @@ void run_two_loops(Perception& perception, Presentation& presentation, Terminati
 }  // namespace
 
 ExitStatus run_command(const RunOptions& options) {
-    const std::optional<LogLevel> level = parse_log_level(options.config.log_level);
-    if (!level) throw Error(ExitStatus::configuration, "log.level is debug, info, warning or error");
-    set_log_level(*level);
+    set_log_level(log_level(options.config));
     TerminationSignals signals;
     Perception perception(options);
     Presentation presentation(options);

@@ -5,8 +5,8 @@
 
 namespace touchstone {
 
-/// `touchstone scan`: fuses what the fixed camera sees and saves it. A signal to end leaves no file. Throws
-/// Error.
+/// `touchstone scan`: fuses what the fixed camera sees, saves it and says so on standard output. Throws
+/// Error; a signal to end is one, and leaves no file.
 ExitStatus scan_command(const ScanOptions& options);
 
 }  // namespace touchstone

@@ -58,6 +58,14 @@ std::optional<VolumePlacement> fit_volume(const DepthView& view, float max_depth
     return placement;
 }
 
+std::optional<VolumePlacement> place_volume(const DepthView& view, const BackgroundConfig& config) {
+    std::optional<VolumePlacement> placement = fit_volume(view, config.max_volume_depth_m);
+    if (!placement || config.fit_side) return placement;
+    placement->T_g_c.translation().array() += 0.5f * (config.volume.side_m - placement->side_m);
+    placement->side_m = config.volume.side_m;
+    return placement;
+}
+
 BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& config,
                                  const Intrinsics& intrinsics, const VolumePlacement& placement)
     : config_(config),

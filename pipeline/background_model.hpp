@@ -33,6 +33,9 @@ struct VolumePlacement {
 /// part first where more is seen.
 std::optional<VolumePlacement> fit_volume(const DepthView& view, float max_depth_m);
 
+/// The same, with the configured side about the same middle where the side is not to be fitted.
+std::optional<VolumePlacement> place_volume(const DepthView& view, const BackgroundConfig& config);
+
 /// The fixed camera's surroundings (Fig 14a): the volume and its cached prediction.
 class BackgroundModel {
   public:

@@ -6,15 +6,6 @@ namespace touchstone {
 
 namespace {
 
-InteractionConfig with_shared_noise(InteractionConfig config) {
-    config.conversion.noise = config.noise;
-    config.background.weights.noise = config.noise;
-    config.segmentation.association.noise = config.noise;
-    config.segmentation.components.noise = config.noise;
-    config.touch.map.noise = config.noise;
-    return config;
-}
-
 std::vector<std::uint8_t> without_padding(const Buffer<std::uint8_t>& map, const MapShape& shape) {
     std::vector<std::uint8_t> picture;
     picture.reserve(static_cast<std::size_t>(shape.width_px) * static_cast<std::size_t>(shape.height_px));
@@ -28,6 +19,15 @@ std::vector<std::uint8_t> without_padding(const Buffer<std::uint8_t>& map, const
 }
 
 }  // namespace
+
+InteractionConfig with_shared_noise(InteractionConfig config) {
+    config.conversion.noise = config.noise;
+    config.background.weights.noise = config.noise;
+    config.segmentation.association.noise = config.noise;
+    config.segmentation.components.noise = config.noise;
+    config.touch.map.noise = config.noise;
+    return config;
+}
 
 InteractionPipeline::InteractionPipeline(const Device& device, const InteractionConfig& config,
                                          const Intrinsics& intrinsics)
@@ -66,13 +66,8 @@ InteractionFrame InteractionPipeline::process(const DepthView& view, std::uint64
 }
 
 bool InteractionPipeline::place_volume(const DepthView& view) {
-    std::optional<VolumePlacement> placement = fit_volume(view, config_.background.max_volume_depth_m);
+    const std::optional<VolumePlacement> placement = touchstone::place_volume(view, config_.background);
     if (!placement) return false;
-    if (!config_.background.fit_side) {
-        const float change_m = config_.background.volume.side_m - placement->side_m;
-        placement->T_g_c.translation().array() += 0.5f * change_m;
-        placement->side_m = config_.background.volume.side_m;
-    }
     background_.emplace(*device_, config_.background, intrinsics_, *placement);
     return true;
 }

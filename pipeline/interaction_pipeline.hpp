@@ -31,6 +31,9 @@ struct InteractionConfig {
     RenderingConfig rendering;
 };
 
+/// `noise` written into the configuration of every stage.
+InteractionConfig with_shared_noise(InteractionConfig config);
+
 enum class InteractionState { starting, scanning, live };
 
 /// What one frame gave.
