@@ -1,17 +1,18 @@
 /* Listing 2: projective TSDF integration of one masked depth picture, brick by brick instead of slice by slice
  * (PAPER.md#3). A work-group is one brick; a work-item is one row of eight voxels along x. */
 
-/* A sample's weight falls to 1 from a voxel behind the surface to the end of what is known, as nobody knows how thick a thing
- * is; free space weighs 1, so that what is seen past a thin thing's edge does not wear it away. */
-inline int8 weight_along_ray8(const int8 weight, const float8 sdf_m, const int8 is_free, const VolumeParams volume) {
-    const float fall_m = fmax(volume.min_truncation_m - volume.voxel_m, 1e-6f);
-    const float8 share = clamp((sdf_m + volume.min_truncation_m) / fall_m, 0.0f, 1.0f);
+/* Behind the surface a sample is a measurement as far as its noise reaches, at least a voxel; deeper it is a guess, as nobody
+ * knows how thick a thing is, and weighs 1 from twice as deep on. Free space weighs 1, too: what is seen past a thin thing's
+ * edge must not wear it away. */
+inline int8 weight_along_ray8(const int8 weight, const float8 sdf_m, const float8 guess_m, const int8 is_free) {
+    const float8 share = clamp(2.0f + sdf_m / guess_m, 0.0f, 1.0f);
     return select(max(convert_int8_rte(convert_float8(weight) * share), 1), (int8)(1), is_free);
 }
 
 __kernel void integrate(__global const int* slots, __global const int* brick_of_slot, __global int* pool,
                         __global uchar* has_inside, __global const float* depth_m, __global const uchar* sample_weights,
-                        const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
+                        const VolumeParams volume, const SensorNoise noise, const Intrinsics k, const MapShape shape,
+                        const Pose T_c_g) {
     const int slot = slots[get_group_id(0)], row = (int)get_local_id(0);
     const int brick = brick_of_slot[slot], n = volume.bricks_per_side;
     Points8 v_g;
@@ -35,9 +36,11 @@ __kernel void integrate(__global const int* slots, __global const int* brick_of_
     const int8 old = vload8(0, voxels), stored_weight = voxel_weight8(old);
     const float8 old_tsdf = voxel_tsdf8(old);
     const int8 is_free = sdf_m >= volume.max_truncation_m;
-    const int8 sample_weight = weight_along_ray8(pixel_weight, sdf_m, is_free, volume);
-    // Free space before a surface tells nothing new; beside a thin thing it would wear the thing away.
-    const int8 used = sampled & ~(is_free & (old_tsdf > 0.0f) & (old_tsdf < 1.0f));
+    const float8 guess_m = fmax(3.0f * sigma_z8(noise, measured_m), volume.voxel_m);
+    const int8 sample_weight = weight_along_ray8(pixel_weight, sdf_m, guess_m, is_free);
+    // In front of a surface free space tells nothing new, and what another side's surface lets guess is not believed.
+    const int8 is_guess = (sdf_m < -guess_m) & (pixel_weight > 1);
+    const int8 used = sampled & ~((is_free | is_guess) & (old_tsdf > 0.0f) & (old_tsdf < 1.0f));
     // Free space where a thing was: the thing left. Each such frame takes a quarter of the old weight.
     const int8 old_weight = select(stored_weight, stored_weight * 3 / 4, is_free & (old_tsdf <= 0.0f));
     const int8 weight = min(old_weight + sample_weight, volume.max_weight);  // L2:12

@@ -72,7 +72,7 @@ BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& c
       placement_(placement),
       volume_(device, with_side(config.volume, placement.side_m)),
       weighting_(device, config.weights, intrinsics),
-      integration_(device, intrinsics),
+      integration_(device, intrinsics, config.weights.noise),
       raycasting_(device, intrinsics),
       prediction_(device, make_map_shape(intrinsics)) {
     prediction_.depth_m.fill(0.0f);

@@ -23,7 +23,7 @@ Reconstruction::Reconstruction(const Device& device, const ReconstructionConfig&
       tracking_(device, config_.tracking, intrinsics),
       volume_(device, config_.volume),
       weighting_(device, config_.weights, intrinsics),
-      integration_(device, intrinsics),
+      integration_(device, intrinsics, config_.noise),
       raycasting_(device, intrinsics),
       live_(device, make_map_shape(intrinsics)),
       prediction_(device, make_map_shape(intrinsics)),

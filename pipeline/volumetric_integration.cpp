@@ -12,9 +12,11 @@ BrickLayers layer_share(const TsdfVolume& volume, int index, int parts) {
     return {first, side * (index + 1) / parts - first};
 }
 
-VolumetricIntegration::VolumetricIntegration(const Device& device, const Intrinsics& intrinsics)
+VolumetricIntegration::VolumetricIntegration(const Device& device, const Intrinsics& intrinsics,
+                                             const SensorNoise& noise)
     : device_(&device),
       intrinsics_(intrinsics),
+      noise_(noise),
       shape_(make_map_shape(intrinsics)),
       selection_(load_kernel_program(device, "brick_selection.cl")),
       integration_(load_kernel_program(device, "listing_2_tsdf_integration.cl")),
@@ -35,7 +37,7 @@ const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, con
     if (updated_bricks_.empty()) return updated_bricks_;
     const LaunchSize size{{64 * updated_bricks_.size(), 1, 1}, {64, 1, 1}};
     integrate_.launch(size, slots_, volume.brick_of_slot(), volume.pool(), volume.has_inside(), depth_m,
-                      sample_weights, volume.params(), intrinsics_, shape_, T_c_g);
+                      sample_weights, volume.params(), noise_, intrinsics_, shape_, T_c_g);
     return updated_bricks_;
 }
 

@@ -25,7 +25,9 @@ BrickLayers layer_share(const TsdfVolume& volume, int index, int parts);
 /// the surface.
 class VolumetricIntegration {
   public:
-    VolumetricIntegration(const Device& device, const Intrinsics& intrinsics);
+    /// `noise`: how far behind a surface a sample still measures; the default is a Kinect v1's.
+    VolumetricIntegration(const Device& device, const Intrinsics& intrinsics,
+                          const SensorNoise& noise = {0.0012f, 0.0019f, 0.4f, 0.0001f});
 
     /// Allocates the bricks near the surface in these layers and updates them and those in free space.
     /// `sample_weights` is SampleWeighting's; pixels of weight 0 are left out and allocate nothing. Gives the
@@ -41,6 +43,7 @@ class VolumetricIntegration {
 
     const Device* device_;
     Intrinsics intrinsics_;
+    SensorNoise noise_;
     MapShape shape_;
     Program selection_, integration_;
     Kernel depth_tile_ranges_, classify_bricks_, integrate_;

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <numbers>
 #include <random>
 
 #include "tests/support/fusion_chain.hpp"
@@ -87,6 +88,56 @@ TEST(FusedSurface, WhatLeftIsGoneWithinFifteenFramesOfAFullHistory) {
     }
     EXPECT_LE(frame, 15);
 }
+
+/// What is seen of a face, and how far from where it belongs.
+struct Face {
+    int expected = 0, seen = 0;
+    double error_m = 0.0;
+};
+
+Face compare(const std::vector<float>& seen, const std::vector<float>& truth, float farthest_m) {
+    Face face;
+    for (std::size_t pixel = 0; pixel < truth.size(); ++pixel) {
+        if (truth[pixel] <= 0.0f || truth[pixel] > farthest_m) continue;
+        ++face.expected;
+        if (seen[pixel] <= 0.0f) continue;
+        ++face.seen;
+        face.error_m += seen[pixel] - truth[pixel];
+    }
+    face.error_m /= std::max(1, face.seen);
+    return face;
+}
+
+/// First from the front, then from behind.
+class ThinSheet : public testing::TestWithParam<float> {};
+
+TEST_P(ThinSheet, SeenFromBothSidesKeepsBothFaces) {
+    const VolumeConfig config = fine_volume(64);
+    FusionChain chain(narrow_camera(), config);
+    const float middle_m = 0.5f * config.side_m, half_m = 0.5f * GetParam();
+    const RigidTransform front = looking_at_middle(config, 1.0f);
+    const RigidTransform turned(Eigen::Translation3f(2.0f * middle_m, 0.0f, 2.0f * middle_m) *
+                                Eigen::AngleAxisf(std::numbers::pi_v<float>, Eigen::Vector3f::UnitY()));
+    const RigidTransform back = turned * front;
+    const test::Surface sheet =
+        test::nearest({test::box({0.1f, 0.1f, middle_m - half_m}, {0.28f, 0.28f, middle_m + half_m}),
+                       test::box({-9.0f, -9.0f, 2.5f}, {9.0f, 9.0f, 2.6f}),
+                       test::box({-9.0f, -9.0f, -2.6f}, {9.0f, 9.0f, -2.5f})});
+    std::mt19937 random(3);
+    for (const RigidTransform& side : {front, back}) {
+        for (int frame = 0; frame < 40; ++frame) {
+            const RigidTransform pose = unsteady(side, 0.02f, 0.01f, random);
+            chain.fuse(test::sense({}, chain.k, test::view_m(chain.k, sheet, pose), random), pose);
+        }
+    }
+    for (const RigidTransform& side : {front, back}) {
+        const Face face = compare(chain.seen_m(side), test::view_m(chain.k, sheet, side), 1.2f);
+        EXPECT_GT(face.seen, face.expected * 95 / 100) << "all but its rim";
+        EXPECT_LT(std::abs(face.error_m), 0.5f * chain.volume.params().voxel_m);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Thickness, ThinSheet, testing::Values(0.006f, 0.010f, 0.020f));
 
 }  // namespace
 }  // namespace touchstone

@@ -30,21 +30,28 @@ struct DenseVolume {
     std::vector<Voxel> voxels;
 };
 
-/// How much a sample counts: less behind the surface, 1 in free space.
-inline int weight_along_ray(const VolumeParams& params, int weight, float sdf_m) {
-    if (sdf_m >= params.max_truncation_m) return 1;
-    const float share =
-        std::min(1.0f, (sdf_m + params.min_truncation_m) / (params.min_truncation_m - params.voxel_m));
+/// Behind the surface: as deep as the noise reaches, but at least a voxel.
+inline float guess_depth_m(const VolumeParams& params, const SensorNoise& noise, float depth_m) {
+    const float from_offset_m = depth_m - noise.offset_m;
+    return std::max(params.voxel_m,
+                    3.0f * (noise.constant_m + noise.quadratic * from_offset_m * from_offset_m));
+}
+
+/// How much a sample counts: less and less behind the surface, 1 in free space.
+inline int weight_along_ray(int weight, float sdf_m, float guess_m, bool is_free) {
+    if (is_free) return 1;
+    const float share = std::clamp(2.0f + sdf_m / guess_m, 0.0f, 1.0f);
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(weight) * share)));
 }
 
 /// One sample into one voxel.
-inline void update(const VolumeParams& params, Voxel& voxel, int weight, float sdf_m) {
+inline void update(const VolumeParams& params, Voxel& voxel, int weight, float sdf_m, float guess_m) {
     if (sdf_m <= -params.min_truncation_m) return;                       // line 10, 11
     const float tsdf = std::min(1.0f, sdf_m / params.max_truncation_m);  // lines 8, 9
-    const int sample = weight_along_ray(params, weight, sdf_m);
     const bool is_free = sdf_m >= params.max_truncation_m;
-    if (is_free && voxel.tsdf > 0.0f && voxel.tsdf < 1.0f) return;
+    const bool is_guess = weight > 1 && sdf_m < -guess_m;
+    if ((is_free || is_guess) && voxel.tsdf > 0.0f && voxel.tsdf < 1.0f) return;
+    const int sample = weight_along_ray(weight, sdf_m, guess_m, is_free);
     const int stored = is_free && voxel.tsdf <= 0.0f ? voxel.weight * 3 / 4 : voxel.weight;
     const auto w = static_cast<float>(stored), s = static_cast<float>(sample);
     voxel.tsdf = (voxel.tsdf * w + tsdf * s) / (w + s);           // line 13
@@ -54,7 +61,8 @@ inline void update(const VolumeParams& params, Voxel& voxel, int weight, float s
 /// depth_m, sample_weights: row-major, width_px x height_px; weight 0 is left out.
 inline void integrate(DenseVolume& volume, const std::vector<float>& depth_m,
                       const std::vector<std::uint8_t>& sample_weights, const Intrinsics& k,
-                      const Eigen::Isometry3f& T_g_c) {
+                      const Eigen::Isometry3f& T_g_c,
+                      const SensorNoise& noise = {0.0012f, 0.0019f, 0.4f, 0.0001f}) {
     const VolumeParams& params = volume.params;
     const Eigen::Isometry3f T_c_g = T_g_c.inverse();
     for (int z = 0; z < params.size_vox; ++z) {  // lines 1, 2
@@ -73,7 +81,8 @@ inline void integrate(DenseVolume& volume, const std::vector<float>& depth_m,
                 const auto pixel = static_cast<std::size_t>(py * k.width_px + px);
                 if (depth_m[pixel] <= 0.0f || sample_weights[pixel] == 0) continue;
                 const float sdf_m = v.norm() / v.z() * (depth_m[pixel] - v.z());  // line 7
-                update(params, volume.at(x, y, z), sample_weights[pixel], sdf_m);
+                update(params, volume.at(x, y, z), sample_weights[pixel], sdf_m,
+                       guess_depth_m(params, noise, depth_m[pixel]));
             }
         }
     }
