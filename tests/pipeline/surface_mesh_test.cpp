@@ -176,15 +176,40 @@ TEST(SurfaceMesh, UnknownVoxelsGiveNoSurface) {
     VolumeSnapshot snapshot = snapshot_of(small_volume(), sphere, 2);
     EXPECT_TRUE(extract_surface(snapshot).triangles.empty()) << "all seen less than three times";
     EXPECT_FALSE(extract_surface(snapshot, {2, 0}).triangles.empty());
-    // Nothing is known at z > 0.3 m: voxels 30 and up.
+    // Too little is known at z > 0.3 m, voxels 30 and up, and it is wrong.
     test::for_each_voxel(snapshot, [&](const Eigen::Vector3i& place, std::size_t i) {
-        if (place.z() >= 30) snapshot.voxels[i] = 0;
+        if (place.z() >= 30) snapshot.voxels[i] = (place.x() % 2 == 0 ? 30000 : -30000 & 0xffff) | 1 << 16;
     });
-    const SurfaceMesh half = extract_surface(snapshot, {1, 0});
+    const SurfaceMesh half = extract_surface(snapshot, {2, 0});
     EXPECT_EQ(topology_of(half).euler, 1) << "a cap";
     for (const auto& vertex : half.vertices_g_m) ASSERT_LE(vertex.z(), 29.5001f * voxel_m);
     EXPECT_LT(worst_vertex_vox(half, sphere), 0.015f);
     EXPECT_GT(least_normal_cos(half, sphere).first, 0.99f) << "one-sided differences at the rim";
+}
+
+TEST(SurfaceMesh, EndsAtTheCubesSides) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float side_m : {0.0f, 0.64f}) {
+            Eigen::Vector3f middle = centre_m;
+            middle[axis] = side_m;
+            const auto sphere = test::sphere_distance(middle, 0.2f);
+            const SurfaceMesh mesh = extract_surface(snapshot_of(small_volume(), sphere), {1, 0});
+            EXPECT_EQ(topology_of(mesh).euler, 1) << "a cap";
+            EXPECT_LT(worst_vertex_vox(mesh, sphere), 0.015f);
+        }
+    }
+}
+
+TEST(SurfaceMesh, ThinThingsAreNotTornAtTheirDiagonals) {
+    // One voxel after the other, connected by their corners within a layer only.
+    VolumeSnapshot snapshot = noise_volume([] { return 20000; });
+    test::for_each_voxel(snapshot, [&](const Eigen::Vector3i& place, std::size_t i) {
+        if (place.x() == place.y() && place.z() == 12 && place.x() > 3 && place.x() < 20)
+            snapshot.voxels[i] = (-20000 & 0xffff) | 10 << 16;
+    });
+    const SurfaceMesh mesh = extract_surface(snapshot, {1, 0});
+    expect_closed(mesh);
+    EXPECT_EQ(topology_of(mesh).euler, 2) << "one piece";
 }
 
 TEST(SurfaceMesh, AbsentBricksAreUnknown) {
