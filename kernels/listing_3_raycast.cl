@@ -108,7 +108,7 @@ __kernel void raycast(__global const int* tiles, __global const int* tile_near, 
         n.y = T_g_c.row_x.y * gradient.x + T_g_c.row_y.y * gradient.y + T_g_c.row_z.y * gradient.z;
         n.z = T_g_c.row_x.z * gradient.x + T_g_c.row_y.z * gradient.y + T_g_c.row_z.z * gradient.z;
         const float8 length2 = dot8(n, n);
-        const int8 hit = crossing.found & ok & (length2 > 0.0f);
+        const int8 hit = crossing.found & ok & (dot8(n, ray_c) < 0.0f);
         const float8 scale = select((float8)(0.0f), rsqrt(fmax(length2, 1e-20f)), hit);
         n.x *= scale, n.y *= scale, n.z *= scale;
         const float8 columns = lanes8() + (float)x;

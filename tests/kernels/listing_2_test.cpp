@@ -141,17 +141,31 @@ TEST(Listing2, SlicesTogetherEqualTheWhole) {
     }
 }
 
-TEST(Listing2, PoolLimitIsSaidAndSurvived) {
+int known_weight(const TsdfVolume& volume) {
+    int sum = 0;
+    for (const int voxel : volume.pool().read()) sum += voxel >> 16 & 0xff;
+    return sum;
+}
+
+TEST(Listing2, PoolLimitIsSaidOnceAndWhatIsKeptGoesOn) {
     const Device device(DeviceConfig{});
     const Scene scene;
     const Buffer<float> depth(device, test::padded<float>(scene.shape, scene.depth_m));
     const Buffer<std::uint8_t> weights(device, test::padded<std::uint8_t>(scene.shape, scene.weights));
-    VolumeConfig config = small_volume(3);
+    VolumeConfig config = small_volume(128);
     config.max_bricks = 20;
     TsdfVolume volume(device, config);
     VolumetricIntegration integration(device, scene.k);
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
     integration.integrate(volume, depth, weights, pose_in_front(), all_layers(volume));
+    const int once = known_weight(volume);
+    EXPECT_GT(once, 0);
     integration.integrate(volume, depth, weights, pose_in_front(), all_layers(volume));
+    EXPECT_EQ(known_weight(volume), 2 * once) << "bricks in use are kept up";
+    const std::string said = testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("volume full: 20 bricks"), std::string::npos) << said;
+    EXPECT_EQ(said.find("volume full"), said.rfind("volume full"));
     EXPECT_EQ(volume.bricks_in_use(), 20);
     EXPECT_TRUE(volume.is_full());
 }

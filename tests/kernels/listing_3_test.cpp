@@ -1,6 +1,8 @@
 #include "tests/reference/listing_3.hpp"
 
 #include <gtest/gtest.h>
+#include <numeric>
+#include <optional>
 
 #include "pipeline/raycasting.hpp"
 #include "pipeline/volumetric_integration.hpp"
@@ -131,6 +133,84 @@ TEST_F(Listing3, CameraInsideTheVolumeSeesTheSurface) {
         ASSERT_NEAR(z, 0.4f, 0.1f * volume.params().voxel_m);
     }
     EXPECT_GT(hits, static_cast<int>(predicted_m.size() * 8 / 10));
+}
+
+/// A cube of layers along z that a test writes: `tsdf_of_layer` gives nothing where voxels are unknown.
+template <class TsdfOfLayer>
+void write_layers(TsdfVolume& volume, TsdfOfLayer&& tsdf_of_layer) {
+    std::vector<int> bricks(volume.brick_count());
+    std::iota(bricks.begin(), bricks.end(), 0);
+    volume.allocate(bricks);
+    std::vector<std::int32_t> voxels(bricks.size() * BRICK_VOXELS, 0);
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        const int layer =
+            static_cast<int>(i / BRICK_VOXELS) / 64 * 8 + static_cast<int>(i % BRICK_VOXELS) / 64;
+        const std::optional<float> tsdf = tsdf_of_layer(layer);
+        if (!tsdf) continue;
+        voxels[i] = (static_cast<int>(*tsdf * TSDF_SCALE) & 0xffff) | 5 << 16;
+    }
+    volume.write(voxels);
+}
+
+class LayersTest : public Listing3 {
+  protected:
+    /// What a camera at z_m looking along z sees in the middle.
+    float middle_m(float z_m = -0.2f) {
+        RigidTransform T_g_c = RigidTransform::Identity();
+        T_g_c.translation() = Eigen::Vector3f(0.32f, 0.32f, z_m);
+        raycasting.raycast(volume, T_g_c, prediction);
+        return prediction.depth_m.read()[map_index(shape, k.width_px / 2, k.height_px / 2)];
+    }
+};
+
+TEST_F(LayersTest, FromKnownSpaceIntoASlabIsASurface) {
+    write_layers(volume, [](int layer) { return std::optional(layer < 30 ? 0.1f : -0.1f); });
+    EXPECT_NEAR(middle_m(), 0.5f, 0.001f);
+}
+
+TEST_F(LayersTest, FromUnknownSpaceIntoASlabIsNone) {
+    write_layers(volume, [](int layer) { return layer < 30 ? std::nullopt : std::optional(-0.1f); });
+    EXPECT_EQ(middle_m(), 0.0f);
+    // Nor is one where known space ends before the slab begins.
+    write_layers(volume, [](int layer) {
+        if (layer < 20) return std::optional(0.5f);
+        return layer < 30 ? std::nullopt : std::optional(-0.1f);
+    });
+    EXPECT_EQ(middle_m(), 0.0f);
+}
+
+TEST_F(LayersTest, CameraInsideASlabSeesNothingOfIt) {
+    write_layers(volume,
+                 [](int layer) { return std::optional(-0.01f - 0.0005f * static_cast<float>(layer)); });
+    EXPECT_EQ(middle_m(0.2f), 0.0f);
+}
+
+TEST_F(LayersTest, ComingOutOfTheBackOfASlabEndsTheRay) {
+    // Unknown, inside, out through its back, and then the front of another: hidden by the first.
+    write_layers(volume, [](int layer) {
+        if (layer < 10) return std::optional<float>();
+        return std::optional(layer < 20 || layer >= 30 ? -0.1f : 0.1f);
+    });
+    EXPECT_EQ(middle_m(), 0.0f);
+}
+
+TEST_F(LayersTest, NormalsFaceTheCamera) {
+    fuse(depth_m, pose_in_front());
+    raycasting.raycast(volume, pose_in_front(), prediction);
+    const std::vector<float> normals = prediction.normals_c.read(), seen = prediction.depth_m.read();
+    int hits = 0, averted = 0;
+    for (int y = 0; y < k.height_px; ++y) {
+        for (int x = 0; x < k.width_px; ++x) {
+            const std::size_t at = map_index(shape, x, y), plane = map_pixels(shape);
+            if (seen[at] <= 0.0f) continue;
+            const Eigen::Vector3f n(normals[at], normals[plane + at], normals[2 * plane + at]);
+            ASSERT_NEAR(n.norm(), 1.0f, 1e-3f);
+            ++hits;
+            averted += n.dot(test::pixel_ray(k, x, y)) >= 0.0f;
+        }
+    }
+    EXPECT_GT(hits, 20000);
+    EXPECT_EQ(averted, 0);
 }
 
 }  // namespace
