@@ -52,6 +52,7 @@ std::string ply_header(const SurfaceMesh& mesh) {
 
 std::string ply_of(const SurfaceMesh& mesh) {
     std::string bytes = ply_header(mesh);
+    const std::size_t first_value = bytes.size();
     bytes.reserve(bytes.size() + mesh.vertices_g_m.size() * 27 + mesh.triangles.size() * 13);
     for (std::size_t i = 0; i < mesh.vertices_g_m.size(); ++i) {
         append(bytes, mesh.vertices_g_m[i]);
@@ -62,6 +63,10 @@ std::string ply_of(const SurfaceMesh& mesh) {
         append(bytes, std::uint8_t{3});
         append(bytes, triangle);
     }
+    // assimp takes a line feed here for part of the header and reads all that follows one byte late (its
+    // issue 5341). It is the lowest byte of the first coordinate: one unit in the last place more does no
+    // harm.
+    if (bytes.size() > first_value && bytes[first_value] == '\n') ++bytes[first_value];
     return bytes;
 }
 

@@ -113,6 +113,16 @@ TEST(MeshFile, PlyWithoutColours) {
     EXPECT_FALSE(opened.mesh->HasVertexColors(0));
 }
 
+TEST(MeshFile, PlyWhoseDataBeginWithALineFeedIsReadAsWell) {
+    const TemporaryFolder folder;
+    SurfaceMesh mesh = sphere_mesh(true);
+    mesh.vertices_g_m[0].x() = 0.16f;  // 0x3e23d70a, the low byte first
+    write_mesh(folder / "a.ply", mesh);
+    Opened opened;
+    ASSERT_NO_FATAL_FAILURE(open(opened, folder / "a.ply", false));
+    expect_same_triangles(*opened.mesh, mesh, true);
+}
+
 TEST(MeshFile, ObjKeepsPlacesNormalsAndColours) {
     const TemporaryFolder folder;
     const SurfaceMesh mesh = sphere_mesh(true);
