@@ -1,3 +1,5 @@
+#include <array>
+#include <cstddef>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
@@ -18,44 +20,116 @@ TEST(Kernels, EveryStageBuildsWithoutWarnings) {
     }
 }
 
+std::string_view shared_types() {
+    for (const kernel_sources_file& file : kernel_sources()) {
+        if (file.name == "shared_types.h") return file.text;
+    }
+    return {};
+}
+
+struct Field {
+    std::string type, name;
+    int size = 0, offset = 0;
+};
+
+#define FIELD(Type, name) \
+    { #Type, #name, sizeof(Type), offsetof(Type, name) }
+
+/// Of each shared struct the fields after which a layout can go astray: behind nested structs and vectors,
+/// and the last.
+std::vector<Field> shared_fields() {
+    return {FIELD(Intrinsics, width_px),
+            FIELD(Intrinsics, reserved),
+            FIELD(Pose, row_y),
+            FIELD(Pose, row_z),
+            FIELD(SensorNoise, grazing),
+            FIELD(MapShape, rows_px),
+            FIELD(FilterParams, spatial_sigma_px),
+            FIELD(FilterParams, max_depth_m),
+            FIELD(VolumeParams, size_vox),
+            FIELD(VolumeParams, max_weight),
+            FIELD(VolumeParams, reserved),
+            FIELD(SampleWeightParams, reference_sigma_m),
+            FIELD(SampleWeightParams, most),
+            FIELD(TouchMapParams, finger_thickness_m),
+            FIELD(TouchMapParams, reserved),
+            FIELD(AssociationParams, quantisation_per_m),
+            FIELD(AssociationParams, min_normal_cos),
+            FIELD(CandidateParams, quantisation_per_m),
+            FIELD(CandidateParams, unknown_depth_m),
+            FIELD(DriftParams, first_row),
+            FIELD(DriftParams, reserved),
+            FIELD(ConnectionParams, gap_sigmas),
+            FIELD(ConnectionParams, gap_per_m),
+            FIELD(ComponentSums, min_x),
+            FIELD(ComponentSums, reserved),
+            FIELD(ShadingParams, foreground),
+            FIELD(ShadingParams, light_c),
+            FIELD(AlignmentParams, centre_p),
+            FIELD(AlignmentParams, max_distance_m),
+            FIELD(AlignmentParams, reference_sigma_m),
+            FIELD(AlignmentParams, reserved)};
+}
+
+#undef FIELD
+
 TEST(Kernels, SharedStructsHaveTheHostsLayout) {
     const Device device(DeviceConfig{});
-    constexpr std::string_view probe = R"(
-__kernel void probe(__global int* out, const Pose pose, const VolumeParams volume, const Intrinsics k,
-                    const MapShape shape, const FilterParams filter) {
-    out[0] = sizeof(Pose); out[1] = sizeof(VolumeParams); out[2] = sizeof(Intrinsics);
-    out[3] = sizeof(MapShape); out[4] = sizeof(FilterParams); out[5] = sizeof(SensorNoise);
-    out[6] = (int)pose.row_z.w; out[7] = volume.max_weight; out[8] = k.height_px;
-    out[9] = shape.rows_px; out[10] = (int)filter.max_depth_m;
-})";
-    std::string_view shared;
-    for (const kernel_sources_file& file : kernel_sources()) {
-        if (file.name == "shared_types.h") shared = file.text;
+    const std::vector<Field> fields = shared_fields();
+    std::string probe = "__kernel void probe(__global int* out) {\n";
+    std::vector<int> expected;
+    for (const Field& field : fields) {
+        const std::string at = std::to_string(expected.size());
+        probe += "out[" + at + "] = (int)sizeof(" + field.type + ");\nout[" + at +
+                 " + 1] = (int)(size_t)&((__global " + field.type + "*)0)->" + field.name + ";\n";
+        expected.insert(expected.end(), {field.size, field.offset});
     }
-    const std::array<ProgramSource, 2> sources{{{"shared_types.h", shared}, {"probe.cl", probe}}};
+    probe += "}\n";
+    const std::array<ProgramSource, 2> sources{{{"shared_types.h", shared_types()}, {"probe.cl", probe}}};
     const Program program(device, sources);
-    Buffer<int> out(device, 11);
+    Buffer<int> out(device, expected.size());
+    program.kernel("probe").launch({}, out);
+    const std::vector<int> got = out.read();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        EXPECT_EQ(got[2 * i], expected[2 * i]) << "size of " << fields[i].type;
+        EXPECT_EQ(got[2 * i + 1], expected[2 * i + 1]) << fields[i].type << "." << fields[i].name;
+    }
+}
+
+TEST(Kernels, EverySharedStructIsProbed) {
+    std::set<std::string> probed;
+    for (const Field& field : shared_fields()) probed.insert(field.type);
+    const std::string text(shared_types());
+    const std::string declaration = "typedef struct ";
+    int found = 0;
+    for (std::size_t at = text.find(declaration); at != std::string::npos;
+         at = text.find(declaration, at + 1)) {
+        const std::size_t first = at + declaration.size();
+        const std::string name = text.substr(first, text.find(' ', first) - first);
+        ++found;
+        EXPECT_TRUE(probed.contains(name)) << name << " is not in shared_fields()";
+    }
+    EXPECT_EQ(found, static_cast<int>(probed.size()));
+}
+
+/// Scalars and vectors handed over by value arrive as they are.
+TEST(Kernels, StructsPassedByValueArrive) {
+    const Device device(DeviceConfig{});
+    constexpr std::string_view probe = R"(
+__kernel void probe(__global int* out, const Pose pose, const VolumeParams volume, const AlignmentParams alignment) {
+    out[0] = (int)pose.row_z.w; out[1] = volume.max_weight; out[2] = (int)alignment.reference_sigma_m;
+})";
+    const std::array<ProgramSource, 2> sources{{{"shared_types.h", shared_types()}, {"probe.cl", probe}}};
+    const Program program(device, sources);
+    Buffer<int> out(device, 3);
     Pose pose{};
     pose.row_z.w = 3.0f;
     VolumeParams volume{};
     volume.max_weight = 77;
-    Intrinsics k{};
-    k.height_px = 480;
-    FilterParams filter{};
-    filter.max_depth_m = 6.0f;
-    program.kernel("probe").launch({}, out, pose, volume, k, MapShape{1, 2, 3, 4}, filter);
-    const std::vector<int> expected{sizeof(Pose),
-                                    sizeof(VolumeParams),
-                                    sizeof(Intrinsics),
-                                    sizeof(MapShape),
-                                    sizeof(FilterParams),
-                                    sizeof(SensorNoise),
-                                    3,
-                                    77,
-                                    480,
-                                    4,
-                                    6};
-    EXPECT_EQ(out.read(), expected);
+    AlignmentParams alignment{};
+    alignment.reference_sigma_m = 6.0f;
+    program.kernel("probe").launch({}, out, pose, volume, alignment);
+    EXPECT_EQ(out.read(), (std::vector<int>{3, 77, 6}));
 }
 
 /// The numbers n of all marks `L2:n`.
