@@ -10,7 +10,7 @@
 namespace touchstone {
 namespace {
 
-constexpr float nearest_to_voxel = 0.01f;  ///< of a vertex to a voxel centre, in voxels
+constexpr float least_distance_vox = 0.01f;  ///< of a voxel centre to the surface
 constexpr std::array<std::uint8_t, 3> grey = {128, 128, 128};
 
 /// Vertices of one brick's crossed edges.
@@ -22,14 +22,17 @@ class BrickVertices {
           around_(lookup, brick),
           colors_around_(colors, brick),
           corner_vox_(Eigen::Vector3i(brick[0], brick[1], brick[2]) * BRICK_VOX),
-          voxel_m_(snapshot.config.side_m / static_cast<float>(snapshot.config.size_vox)),
-          min_weight_(min_weight) {}
+          min_weight_(min_weight) {
+        const VolumeParams params = make_volume_params(snapshot.config);
+        voxel_m_ = params.voxel_m;
+        least_tsdf_ = least_distance_vox * voxel_m_ / params.max_truncation_m * TSDF_SCALE;
+    }
 
     void add(int voxel, int axis, SurfaceMesh& mesh) const {
         const Eigen::Vector3i start(voxel & 7, voxel >> 3 & 7, voxel >> 6);
         const Eigen::Vector3i end = start + Eigen::Vector3i::Unit(axis);
         const float from = *tsdf(start), to = *tsdf(end);  // known: the edge is one of a surface cell
-        const float share = std::clamp(from / (from - to), nearest_to_voxel, 1.0f - nearest_to_voxel);
+        const float share = off_surface(from) / (off_surface(from) - off_surface(to));
         Eigen::Vector3f place_vox = (corner_vox_ + start).cast<float>().array() + 0.5f;
         place_vox[axis] += share;
         mesh.vertices_g_m.push_back(place_vox * voxel_m_);
@@ -46,6 +49,11 @@ class BrickVertices {
         const std::int32_t voxel = snapshot_.voxels[index];
         if (voxel_weight(voxel) < min_weight_) return std::nullopt;
         return static_cast<float>(voxel_tsdf(voxel));
+    }
+
+    /// A voxel on the surface counts as a little inside, so that its edges' vertices do not fall together.
+    float off_surface(float tsdf) const {
+        return tsdf > 0.0f ? std::max(tsdf, least_tsdf_) : std::min(tsdf, -least_tsdf_);
     }
 
     /// Central differences, one-sided beside unknown voxels; any unit of length.
@@ -85,7 +93,7 @@ class BrickVertices {
     const VolumeSnapshot& snapshot_;
     BrickNeighbourhood around_, colors_around_;
     Eigen::Vector3i corner_vox_;
-    float voxel_m_;
+    float voxel_m_, least_tsdf_;
     int min_weight_;
 };
 

@@ -25,9 +25,9 @@ struct SurfaceMeshConfig {
 
 /// Marching cubes: the surface between voxels of TSDF <= 0 and > 0, in cells whose eight voxels are known,
 /// with one vertex for each crossed edge of the voxel grid. A closed 2-manifold where the surface was seen
-/// from all sides: it ends only at unknown voxels. Vertices keep a hundredth of a voxel from voxel centres,
-/// so that no triangle is degenerate. Colours where the snapshot has any; grey where a vertex has none. Equal
-/// snapshots give equal meshes.
+/// from all sides: it ends only at unknown voxels. Voxels nearer to the surface than a hundredth of a voxel
+/// are taken to be so far from it, so that no triangle is degenerate. Colours where the snapshot has any;
+/// grey where a vertex has none. Equal snapshots give equal meshes.
 SurfaceMesh extract_surface(const VolumeSnapshot& snapshot, const SurfaceMeshConfig& config = {});
 
 /// Removes pieces (triangles connected by vertices) of fewer than so many triangles, and unused vertices.

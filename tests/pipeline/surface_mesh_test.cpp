@@ -27,9 +27,8 @@ float worst_vertex_vox(const SurfaceMesh& mesh, const test::Distance& distance) 
     return worst / voxel_m;
 }
 
-/// Least cosine between the vertices' normals and the distance's gradient, and between these and those of
-/// triangles larger than a hundredth of a square voxel (vertices of smaller ones were moved as far as they
-/// are long).
+/// Least cosine between the vertices' normals and the distance's gradient, and between these and the
+/// triangles'.
 std::pair<float, float> least_normal_cos(const SurfaceMesh& mesh, const test::Distance& distance) {
     std::vector<Eigen::Vector3f> truth;
     float least_vertex = 1.0f, least_face = 1.0f;
@@ -44,7 +43,6 @@ std::pair<float, float> least_normal_cos(const SurfaceMesh& mesh, const test::Di
         least_vertex = std::min(least_vertex, truth.back().dot(mesh.normals_g[i]));
     }
     for (const auto& triangle : mesh.triangles) {
-        if (test::area_m2(mesh, triangle) < 0.01f * voxel_m * voxel_m) continue;
         least_face = std::min(least_face, truth[triangle[0]].dot(test::face_normal(mesh, triangle)));
     }
     return {least_vertex, least_face};
@@ -54,8 +52,9 @@ void expect_closed(const SurfaceMesh& mesh) {
     const test::Topology topology = topology_of(mesh);
     EXPECT_EQ(topology.open_edges, 0);
     EXPECT_EQ(topology.pinched_vertices, 0);
-    // Float coordinates below 1 m are good to 6e-8 m; a side is at least a hundredth of a voxel, 1e-4 m.
-    EXPECT_GT(topology.least_area_m2, 1e-10f);
+    // Sides are at least 0.01 / 6 of a voxel, 1.6e-5 m: 6 voxels are the most a voxel is off the surface.
+    // Floats below 1 m are good to 6e-8 m.
+    EXPECT_GT(topology.least_area_m2, 5e-11f);
 }
 
 TEST(SurfaceMesh, SphereIsClosedRoundAndTurnedOutwards) {
