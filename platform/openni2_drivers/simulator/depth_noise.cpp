@@ -28,6 +28,11 @@ constexpr float grazing_tangent = 3.2F;  ///< of the angle between the ray and t
 
 std::size_t at(int x, int y) { return static_cast<std::size_t>(y * width_px + x); }
 
+/// 0 where nothing is seen, or it is too far for the number.
+std::uint16_t whole_mm(float mm) {
+    return mm >= 0.0F && mm < 65535.0F ? static_cast<std::uint16_t>(mm + 0.5F) : std::uint16_t{0};
+}
+
 /// White noise, blurred by a binomial of 5 x 5 taps on a torus, scaled to unit variance.
 std::vector<float> make_noise_table(std::uint64_t seed) {
     constexpr std::size_t count = std::size_t{table_side} * table_side;
@@ -97,8 +102,7 @@ void DepthNoise::apply(const std::vector<float>& depth_m, int frame, double time
                        std::vector<std::uint16_t>& depth_mm) {
     depth_mm.resize(depth_m.size());
     if (!noise_ && !drifts_) {
-        for (std::size_t i = 0; i < depth_m.size(); ++i)
-            depth_mm[i] = static_cast<std::uint16_t>(1000.0F * depth_m[i] + 0.5F);
+        for (std::size_t i = 0; i < depth_m.size(); ++i) depth_mm[i] = whole_mm(1000.0F * depth_m[i]);
         return;
     }
     find_disparity(depth_m);
@@ -225,7 +229,8 @@ void DepthNoise::only_drift(double time_s, std::vector<std::uint16_t>& depth_mm)
     const std::vector<float>& drift = drift_.at(time_s);
     for (std::size_t i = 0; i < depth_mm.size(); ++i) {
         const float disparity = disparity_[i] + drift[i % width_px] / steps_per_px;
-        depth_mm[i] = static_cast<std::uint16_t>(1000.0F * disparity_m_px_ / disparity + 0.5F);
+        depth_mm[i] =
+            disparity_[i] > 0.0F ? whole_mm(1000.0F * disparity_m_px_ / disparity) : std::uint16_t{0};
     }
 }
 

@@ -14,7 +14,8 @@ class DepthNoise {
     /// The picture's size is a Kinect's, 640 x 480; focal length in pixels.
     DepthNoise(std::uint64_t seed, float focal_px, bool noise, bool drift);
 
-    /// Millimetres, 0 = no reading. Equal seed, frame and depth give equal output.
+    /// Depth is metres, infinite where there is nothing to see; gives millimetres, 0 = no reading. Equal
+    /// seed, frame and depth give equal output.
     void apply(const std::vector<float>& depth_m, int frame, double time_s,
                std::vector<std::uint16_t>& depth_mm);
 

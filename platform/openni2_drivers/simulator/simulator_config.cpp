@@ -12,24 +12,55 @@ namespace touchstone {
 namespace {
 
 constexpr std::string_view key_names =
-    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate";
+    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, motion, poses";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
 }
 
+template <class Value, std::size_t count>
+using Names = std::array<std::pair<std::string_view, Value>, count>;
+
+template <class Value, std::size_t count>
+std::optional<Value> find_name(const Names<Value, count>& names, std::string_view name) {
+    for (const auto& [known, value] : names)
+        if (known == name) return value;
+    return std::nullopt;
+}
+
 SimulatedScene parse_scene(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, SimulatedScene>, 6> scenes{{
+    constexpr Names<SimulatedScene, 8> scenes{{
         {"", SimulatedScene::mixed},
         {"flat", SimulatedScene::flat},
         {"curved", SimulatedScene::curved},
         {"cluttered", SimulatedScene::cluttered},
         {"bowl", SimulatedScene::bowl},
         {"mixed", SimulatedScene::mixed},
+        {"room", SimulatedScene::room},
+        {"wall", SimulatedScene::wall},
     }};
-    for (const auto& [known, scene] : scenes)
-        if (known == name) return scene;
-    refuse(fmt::format("unknown scene '{}'; use flat, curved, cluttered, bowl or mixed", name));
+    if (const auto scene = find_name(scenes, name)) return *scene;
+    refuse(fmt::format("unknown scene '{}'; use flat, curved, cluttered, bowl, mixed, room or wall", name));
+}
+
+CameraMotion parse_motion(std::string_view name) {
+    constexpr Names<CameraMotion, 5> motions{{
+        {"still", CameraMotion::still},
+        {"sweep", CameraMotion::sweep},
+        {"orbit", CameraMotion::orbit},
+        {"rpy", CameraMotion::rpy},
+        {"slide", CameraMotion::slide},
+    }};
+    if (const auto motion = find_name(motions, name)) return *motion;
+    refuse(fmt::format("key motion must be still, sweep, orbit, rpy or slide, not '{}'", name));
+}
+
+/// Whether a key says anything about a scene of this kind.
+bool applies(std::string_view key, SimulatedScene scene) {
+    for (const std::string_view of_tables : {"hands", "human", "truth", "masks", "height", "tilt", "empty"})
+        if (key == of_tables) return is_table(scene);
+    if (key == "motion") return !is_table(scene);
+    return true;
 }
 
 template <class Number>
@@ -89,23 +120,28 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
     return true;
 }
 
-bool set_path(SimulatorConfig& config, std::string_view key, std::string_view value) {
+bool set_text(SimulatorConfig& config, std::string_view key, std::string_view value) {
     if (key == "truth")
         config.truth_path = parse_path(key, value);
     else if (key == "masks")
         config.masks_folder = parse_path(key, value);
+    else if (key == "poses")
+        config.poses_path = parse_path(key, value);
+    else if (key == "motion")
+        config.motion = parse_motion(value);
     else
         return false;
     return true;
 }
 
-void set_pair(Parsed& parsed, std::string_view pair) {
+void set_pair(Parsed& parsed, std::string_view pair, std::string_view scene) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string_view::npos) refuse(fmt::format("'{}' is not of the form key=value", pair));
     const std::string_view key = pair.substr(0, equals);
     const std::string_view value = pair.substr(equals + 1);
+    if (!applies(key, parsed.config.scene)) refuse(fmt::format("key {} is not for the scene {}", key, scene));
     if (set_switch(parsed, key, value) || set_number(parsed.config, key, value) ||
-        set_path(parsed.config, key, value))
+        set_text(parsed.config, key, value))
         return;
     refuse(fmt::format("unknown key '{}'; the keys are {}", key, key_names));
 }
@@ -115,12 +151,13 @@ void set_pair(Parsed& parsed, std::string_view pair) {
 SimulatorConfig parse_simulator_uri(std::string_view uri_after_scheme) {
     const std::size_t question = uri_after_scheme.find('?');
     Parsed parsed;
-    parsed.config.scene = parse_scene(uri_after_scheme.substr(0, question));
+    const std::string_view scene = uri_after_scheme.substr(0, question);
+    parsed.config.scene = parse_scene(scene);
     std::string_view rest =
         question == std::string_view::npos ? std::string_view{} : uri_after_scheme.substr(question + 1);
     while (!rest.empty()) {
         const std::size_t end = rest.find('&');
-        set_pair(parsed, rest.substr(0, end));
+        set_pair(parsed, rest.substr(0, end), scene);
         rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
     }
     parsed.config.drift = parsed.drift.value_or(parsed.config.noise);

@@ -6,7 +6,20 @@
 
 namespace touchstone {
 
-enum class SimulatedScene { flat, curved, cluttered, bowl, mixed };
+/// Tables under a fixed camera; a furnished corner and an empty wall before a camera that may move.
+enum class SimulatedScene { flat, curved, cluttered, bowl, mixed, room, wall };
+
+/// How the camera moves before `room` and `wall`.
+enum class CameraMotion {
+    still,
+    sweep,  ///< by hand through the scene: about 8 mm and 0.5 degrees a frame, with tremor
+    orbit,  ///< to and fro around the middle of the scene
+    rpy,    ///< fast turns, up to 5 degrees a frame, about one axis after the other
+    slide,  ///< sideways, to and fro
+};
+
+/// Whether hands touch a table in the scene.
+constexpr bool is_table(SimulatedScene scene) { return scene <= SimulatedScene::mixed; }
 
 /// What a sensor URI `sim:SCENE?key=value&key=value` asks for.
 struct SimulatorConfig {
@@ -24,6 +37,8 @@ struct SimulatorConfig {
     double tilt_deg = 25.0;    ///< of the optical axis from straight down
     double empty_s = 2.5;      ///< without hands at the start
     double rate_hz = 30.0;
+    CameraMotion motion = CameraMotion::still;
+    std::string poses_path;  ///< empty = no poses: the camera's true pose in the scene, a line for each frame
 };
 
 /// Reads the part of the URI after `sim:`; an empty scene name means mixed. Throws Error{usage} that names

@@ -140,8 +140,4 @@ bool SimulatorSource::next(SourceFrame& frame) {
     return true;
 }
 
-std::unique_ptr<FrameSource> open_simulator(std::string_view uri_after_scheme) {
-    return std::make_unique<SimulatorSource>(parse_simulator_uri(uri_after_scheme));
-}
-
 }  // namespace touchstone

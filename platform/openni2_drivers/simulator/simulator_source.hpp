@@ -27,7 +27,8 @@ class SimulatorSource : public FrameSource {
     std::unique_ptr<State> state_;
 };
 
-/// From the part of a sensor URI after `sim:`. Throws Error{usage} on an unknown scene, key or value.
+/// From the part of a sensor URI after `sim:`: a table or a scene of meshes. Throws Error{usage} on an
+/// unknown scene, key or value.
 std::unique_ptr<FrameSource> open_simulator(std::string_view uri_after_scheme);
 
 }  // namespace touchstone

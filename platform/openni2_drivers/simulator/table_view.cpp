@@ -6,7 +6,7 @@ namespace touchstone::sim {
 
 TableView make_table_view(double height_m, double tilt_deg) {
     TableView view;
-    view.intrinsics = {575.8F, 575.8F, 319.5F, 239.5F, 640, 480, {0, 0}};
+    view.intrinsics = kinect_intrinsics();
     const float tilt = radians(static_cast<float>(tilt_deg));
     const float height = static_cast<float>(height_m);
     view.rotation_s_c.col(0) = Vec3(1.0F, 0.0F, 0.0F);

@@ -5,6 +5,9 @@
 
 namespace touchstone::sim {
 
+/// Of every simulated Kinect v1.
+constexpr Intrinsics kinect_intrinsics() { return {575.8F, 575.8F, 319.5F, 239.5F, 640, 480, {0, 0}}; }
+
 /// The simulated Kinect v1 and where it hangs over the table.
 struct TableView {
     Intrinsics intrinsics{};

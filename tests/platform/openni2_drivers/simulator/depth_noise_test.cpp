@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <set>
 
 namespace touchstone::sim {
@@ -159,6 +160,23 @@ TEST(DepthNoise, SeedAndFrameDecideEverything) {
     EXPECT_EQ(a, b);
     other.apply(wall(1.0F), 5, 0.2, b);
     EXPECT_NE(a, b);
+}
+
+TEST(DepthNoise, WhereNothingIsSeenThereIsNoReading) {
+    const float nothing_m = std::numeric_limits<float>::infinity();
+    for (const bool noisy : {false, true})
+        for (const bool drifts : {false, true}) {
+            DepthNoise noise(3, focal_px, noisy, drifts);
+            std::vector<std::uint16_t> out;
+            for (int frame = 0; frame < 3; ++frame)
+                noise.apply(wall(nothing_m, 300, 1.5F), frame, 60.0 * frame, out);
+            for (std::size_t i = 0; i < pixels; ++i) {
+                // The edge jitters by some pixels.
+                const bool seen = out[i] != 0;
+                ASSERT_FALSE(seen && i % 640 < 290) << i;
+                ASSERT_FALSE(seen && i % 640 >= 310 && std::abs(out[i] - 1500) > 60) << i;
+            }
+        }
 }
 
 }  // namespace

@@ -61,11 +61,36 @@ TEST(SimulatorConfig, DriftFollowsNoiseWhateverTheOrder) {
     EXPECT_TRUE(parse_simulator_uri("flat?drift=1&noise=0").drift);
 }
 
+TEST(SimulatorConfig, ReadsTheKeysOfAMovingCamera) {
+    EXPECT_EQ(parse_simulator_uri("room").motion, CameraMotion::still);
+    const SimulatorConfig config =
+        parse_simulator_uri("room?motion=rpy&seed=2&frames=9&noise=0&poses=/tmp/p.txt");
+    EXPECT_EQ(config.scene, SimulatedScene::room);
+    EXPECT_EQ(config.motion, CameraMotion::rpy);
+    EXPECT_EQ(config.poses_path, "/tmp/p.txt");
+    EXPECT_EQ(config.frames, 9);
+    EXPECT_FALSE(config.drift);
+    EXPECT_EQ(parse_simulator_uri("wall?motion=slide").motion, CameraMotion::slide);
+    EXPECT_EQ(parse_simulator_uri("wall?motion=sweep").motion, CameraMotion::sweep);
+    EXPECT_EQ(parse_simulator_uri("wall?motion=orbit").scene, SimulatedScene::wall);
+}
+
+TEST(SimulatorConfig, RefusesKeysOfOtherScenes) {
+    using testing::AllOf;
+    using testing::HasSubstr;
+    EXPECT_THAT(refusal("room?motion=fly"),
+                AllOf(HasSubstr("motion"), HasSubstr("still, sweep"), HasSubstr("'fly'")));
+    EXPECT_THAT(refusal("flat?motion=sweep"), HasSubstr("key motion is not for the scene flat"));
+    EXPECT_THAT(refusal("wall?hands=1"), HasSubstr("key hands is not for the scene wall"));
+    EXPECT_THAT(refusal("room?truth=/tmp/t"), HasSubstr("key truth is not for the scene room"));
+    EXPECT_THAT(refusal("room?poses="), HasSubstr("key poses needs a path"));
+}
+
 TEST(SimulatorConfig, RefusalsNameTheKeyAndTheRange) {
     using testing::AllOf;
     using testing::HasSubstr;
     EXPECT_THAT(refusal("moon"),
-                AllOf(HasSubstr("moon"), HasSubstr("flat, curved, cluttered, bowl or mixed")));
+                AllOf(HasSubstr("moon"), HasSubstr("flat, curved, cluttered, bowl, mixed, room or wall")));
     EXPECT_THAT(refusal("flat?fingers=2"), AllOf(HasSubstr("fingers"), HasSubstr("seed, hands, frames")));
     EXPECT_THAT(refusal("flat?hands=3"), AllOf(HasSubstr("hands"), HasSubstr("0 to 2"), HasSubstr("'3'")));
     EXPECT_THAT(refusal("flat?height=0.2"), AllOf(HasSubstr("height"), HasSubstr("0.5 to 1.6")));
