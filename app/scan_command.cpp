@@ -121,6 +121,7 @@ ExitStatus scan_command(const ScanOptions& options) {
         summary += fmt::format("; {}: {} triangles", *options.mesh_file, mesh.triangles.size());
     }
     std::printf("%s\n", summary.c_str());
+    if (signals.arrived()) log_info("the signal to end came when the scan was done");
     return ExitStatus::ok;
 }
 

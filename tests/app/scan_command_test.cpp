@@ -86,6 +86,18 @@ TEST_F(Scan, TheSameFramesGiveTheSameFile) {
     EXPECT_THAT(again.err, HasSubstr("5 of 60 frames")) << "a source that ends early is said";
 }
 
+TEST_F(Scan, TheConfigurationReachesEveryStage) {
+    const std::vector<std::string> arguments{
+        "--sensor", "sim:mixed?seed=3&noise=1&hands=0&frames=3", "--pace", "step", "--voxels", "128"};
+    ASSERT_EQ(scan(arguments).status, 0);
+    const std::string usual = bytes();
+    std::ofstream(pictures_ / "noisy.toml") << "[noise]\nconstant_m = 0.05\n";
+    std::vector<std::string> with_config = arguments;
+    with_config.insert(with_config.end(), {"--config", (pictures_ / "noisy.toml").string()});
+    ASSERT_EQ(scan(with_config).status, 0);
+    EXPECT_NE(bytes(), usual);
+}
+
 /// A slanted plane with a ball before it, scanned without noise, saved, loaded and seen again from the saved
 /// pose: nine pixels in ten (the ball's outline is left out of the model), of which 99 % within half a voxel.
 TEST_F(Scan, TheSavedModelIsWhatTheCameraSaw) {

@@ -41,6 +41,23 @@ TEST(FitVolume, NothingSeenGivesNothing) {
     EXPECT_FALSE(fit_volume({empty, k}, 4.5f).has_value());
 }
 
+TEST(PlaceVolume, ASideOfOnesOwnKeepsTheMiddle) {
+    const Intrinsics k = test::small_camera(160, 120);
+    const std::vector<std::uint16_t> wall(static_cast<std::size_t>(k.width_px * k.height_px), 1500);
+    BackgroundConfig config;
+    const auto fitted = place_volume({wall, k}, config);
+    config.fit_side = false;
+    config.volume.side_m = 3.5f;
+    const auto given = place_volume({wall, k}, config);
+    ASSERT_TRUE(fitted && given);
+    EXPECT_EQ(given->side_m, 3.5f);
+    EXPECT_LT(fitted->side_m, 3.0f);
+    const auto middle_c = [](const VolumePlacement& placement) -> Eigen::Vector3f {
+        return placement.T_g_c.inverse() * Eigen::Vector3f::Constant(0.5f * placement.side_m);
+    };
+    EXPECT_LT((middle_c(*fitted) - middle_c(*given)).norm(), 1e-5f);
+}
+
 class FollowTest : public testing::Test {
   protected:
     /// A wall; without normals, as where a surface is seen in single pixels only.

@@ -199,6 +199,9 @@ TEST_F(ScanFile, WhatCouldNotBeLoadedIsNotSaved) {
         expect_error([&] { save_scan(path_, scan); }, ExitStatus::bad_data,
                      AllOf(HasSubstr(path_.string()), HasSubstr("bricks do not fit")));
     }
+    SavedScan mirrored = some_scan();
+    mirrored.T_g_c.linear().col(0) *= -1.0f;
+    expect_error([&] { save_scan(path_, mirrored); }, ExitStatus::bad_data, HasSubstr("pose is none"));
     EXPECT_FALSE(std::filesystem::exists(path_));
     expect_error([] { save_scan("/nowhere/room.scan", some_scan()); }, ExitStatus::io_error,
                  HasSubstr("/nowhere/room.scan"));
