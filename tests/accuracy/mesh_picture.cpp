@@ -106,14 +106,25 @@ Eigen::Vector3f base_color(const SurfaceMesh& mesh, const std::array<std::uint32
 
 }  // namespace
 
-PictureConfig whole_mesh(const SurfaceMesh& mesh, const Eigen::Vector3f& direction) {
+PictureConfig whole_mesh(const SurfaceMesh& mesh, const Eigen::Vector3f& direction,
+                         const Eigen::Vector3f& up) {
     Eigen::AlignedBox3f box;
-    for (const auto& t : mesh.triangles) {
-        for (const std::uint32_t vertex : t) box.extend(mesh.vertices_g_m[vertex]);
-    }
+    for (const auto& vertex : mesh.vertices_g_m) box.extend(vertex);
     PictureConfig config;
+    config.up = up;
     config.look_at_m = box.center();
-    config.eye_m = box.center() + direction.normalized() * 1.9f * box.diagonal().norm();
+    config.eye_m = box.center() + direction.normalized();
+    const Eigen::Isometry3f T_c_mesh = camera_from_mesh(config);
+    const float half_width = std::tan(0.5f * config.field_of_view_rad);
+    const float half_height =
+        half_width * static_cast<float>(config.height_px) / static_cast<float>(config.width_px);
+    float distance_m = 0.0f;
+    for (const auto& vertex : mesh.vertices_g_m) {
+        const Eigen::Vector3f p = T_c_mesh * vertex;
+        const float aside = std::max(std::abs(p.x()) / half_width, std::abs(p.y()) / half_height);
+        distance_m = std::max(distance_m, 1.05f * aside + 1.0f - p.z());
+    }
+    config.eye_m = box.center() + direction.normalized() * distance_m;
     return config;
 }
 

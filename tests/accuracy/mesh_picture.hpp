@@ -16,8 +16,10 @@ struct PictureConfig {
     bool use_colors = true;  ///< the mesh's, where it has any; else grey
 };
 
-/// The whole mesh, seen from a direction (from the mesh to the viewer).
-PictureConfig whole_mesh(const SurfaceMesh& mesh, const Eigen::Vector3f& direction);
+/// The whole mesh, seen from a direction (from the mesh to the viewer), filling a picture of the default
+/// size.
+PictureConfig whole_mesh(const SurfaceMesh& mesh, const Eigen::Vector3f& direction,
+                         const Eigen::Vector3f& up = -Eigen::Vector3f::UnitY());
 
 /// A picture to look at: flat shading with the light at the viewer, depth buffer, RGB. Backs of triangles
 /// (seen from inside the solid) are red.

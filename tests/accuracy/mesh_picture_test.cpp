@@ -56,13 +56,27 @@ TEST(MeshPicture, BacksAreRedAndWhatIsBehindTheViewerIsNotDrawn) {
     EXPECT_EQ(pixel(draw_mesh(mesh, config), 50, 50), (std::array<int, 3>{24, 24, 24}));
 }
 
-TEST(MeshPicture, TheWholeMeshIsSeen) {
+TEST(MeshPicture, TheWholeMeshFillsThePicture) {
     SurfaceMesh mesh;
     add_square(mesh, 3.0f, 2.0f, {0, 200, 0});
-    const Image8 image = draw_mesh(mesh, whole_mesh(mesh, -Eigen::Vector3f::UnitZ()));
-    EXPECT_GT(pixel(image, image.width_px / 2, image.height_px / 2)[1], 150);
-    for (int x = 0; x < image.width_px; ++x) ASSERT_EQ(pixel(image, x, 0)[1], 24);
-    for (int y = 0; y < image.height_px; ++y) ASSERT_EQ(pixel(image, 0, y)[1], 24);
+    add_square(mesh, 2.0f, 1.0f, {0, 200, 0});
+    for (const Eigen::Vector3f& direction :
+         {Eigen::Vector3f(0.0f, 0.0f, -1.0f), Eigen::Vector3f(0.5f, 0.7f, -1.0f)}) {
+        const Image8 image = draw_mesh(mesh, whole_mesh(mesh, direction));
+        int left = image.width_px, right = 0, top = image.height_px, bottom = 0;
+        for (int y = 0; y < image.height_px; ++y) {
+            for (int x = 0; x < image.width_px; ++x) {
+                if (pixel(image, x, y)[1] <= 24) continue;
+                left = std::min(left, x);
+                right = std::max(right, x);
+                top = std::min(top, y);
+                bottom = std::max(bottom, y);
+            }
+        }
+        EXPECT_GT(std::min({left, top, image.width_px - 1 - right, image.height_px - 1 - bottom}), 0);
+        const bool fills = right - left > image.width_px / 2 || bottom - top > image.height_px / 2;
+        EXPECT_TRUE(fills);
+    }
 }
 
 }  // namespace

@@ -25,19 +25,20 @@ int render(int argc, char** argv) {
     CLI::Option* eye_option = app.add_option("--eye", eye, "place of the viewer instead, metres");
     app.add_option("--look-at", look_at, "with --eye: the middle of the picture, metres")->needs(eye_option);
     app.add_option("--up", up, "direction that is up");
-    app.add_option("--field-of-view", field_of_view_deg, "left to right, degrees")->check(CLI::Range(1, 170));
+    app.add_option("--field-of-view", field_of_view_deg, "with --eye: left to right, degrees")
+        ->check(CLI::Range(1, 170))
+        ->needs(eye_option);
     app.add_option("--width", width_px, "of the picture, pixels; the height is 3/4")
         ->check(CLI::Range(16, 8192));
     app.add_flag("--grey", grey, "without the mesh's colours");
     CLI11_PARSE(app, argc, argv);
     const SurfaceMesh mesh = read_mesh(mesh_path);
-    PictureConfig config = whole_mesh(mesh, vector_of(direction));
+    PictureConfig config = whole_mesh(mesh, vector_of(direction), vector_of(up));
     if (*eye_option) {
         config.eye_m = vector_of(eye);
         config.look_at_m = vector_of(look_at);
+        config.field_of_view_rad = field_of_view_deg * 3.14159265f / 180.0f;
     }
-    config.up = vector_of(up);
-    config.field_of_view_rad = field_of_view_deg * 3.14159265f / 180.0f;
     config.width_px = width_px;
     config.height_px = width_px * 3 / 4;
     config.use_colors = !grey;

@@ -17,3 +17,10 @@ endforeach()
 touchstone_test(surface_accuracy_test
     SOURCES closest_point_test.cpp mesh_picture_test.cpp surface_score_test.cpp
     LIBRARIES touchstone_surface_accuracy nlohmann_json::nlohmann_json)
+
+touchstone_test(surface_programs_test
+    SOURCES surface_programs_test.cpp
+    LIBRARIES touchstone_surface_accuracy nlohmann_json::nlohmann_json)
+target_compile_definitions(surface_programs_test PRIVATE TOUCHSTONE_SCORE_SURFACE="$<TARGET_FILE:score_surface>"
+    TOUCHSTONE_RENDER_MESH="$<TARGET_FILE:render_mesh>")
+add_dependencies(surface_programs_test score_surface render_mesh)
