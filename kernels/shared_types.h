@@ -61,6 +61,14 @@ typedef struct SampleWeightParams {
     int most;
 } SampleWeightParams;
 
+/* Voxels nearer to the surface than band_vox take the colour of pixels that see it at a cosine above min_cos and are guard_px away
+ * from a depth edge: where depths differ by more than gap_per_m, over what the slope allows. */
+typedef struct ColorParams {
+    SensorNoise noise;
+    float band_vox, min_cos, gap_per_m;
+    int guard_px;
+} ColorParams;
+
 /* What a brick is to the present depth picture. */
 #define BRICK_EDGE_PIXELS 6
 enum BrickClass { BRICK_HIDDEN = 0, BRICK_NEAR_SURFACE = 1, BRICK_FREE_SPACE = 2 };

@@ -40,7 +40,8 @@ TsdfVolume::TsdfVolume(const Device& device, const VolumeConfig& config)
 }
 
 std::size_t TsdfVolume::memory_bytes() const {
-    return (host_table_.size() + capacity_ * (BRICK_VOXELS + 1)) * sizeof(int);
+    const std::size_t color_bytes = colors_ ? colors_->memory_bytes() : 0;
+    return (host_table_.size() + capacity_ * (BRICK_VOXELS + 1)) * sizeof(int) + color_bytes;
 }
 
 void TsdfVolume::allocate(std::span<const int> bricks) {
@@ -64,6 +65,11 @@ void TsdfVolume::allocate(std::span<const int> bricks) {
         table[static_cast<std::size_t>(slots_[slot])] = static_cast<int>(slot);
         bricks_of_slots[slot] = slots_[slot];
     }
+}
+
+ColorPool& TsdfVolume::keep_colors() {
+    if (!colors_) colors_.emplace(*device_, host_table_.size());
+    return *colors_;
 }
 
 void TsdfVolume::write(std::span<const std::int32_t> voxels) {

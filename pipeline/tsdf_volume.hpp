@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "kernels/shared_types.h"
+#include "pipeline/color_pool.hpp"
 #include "platform/opencl/buffer.hpp"
 
 namespace touchstone {
@@ -48,6 +50,10 @@ class TsdfVolume {
     int slot(int brick) const { return host_table_[static_cast<std::size_t>(brick)]; }
     /// Gives each of the bricks a slot of unknown voxels where it has none and the limit allows.
     void allocate(std::span<const int> bricks);
+    /// Colours of the bricks that hold a surface; null until keep_colors().
+    const ColorPool* colors() const { return colors_ ? &*colors_ : nullptr; }
+    /// From now on there are colours: 2 KiB more for each brick that holds a surface.
+    ColorPool& keep_colors();
     /// Overwrites the voxels of all slots in use, BRICK_VOXELS each, in slot order.
     void write(std::span<const std::int32_t> voxels);
 
@@ -61,6 +67,7 @@ class TsdfVolume {
     Buffer<std::uint8_t> has_inside_;
     std::vector<int> host_table_;
     std::vector<int> slots_;
+    std::optional<ColorPool> colors_;
     std::size_t capacity_ = 0;
     bool full_ = false;
 };

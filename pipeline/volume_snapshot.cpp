@@ -1,6 +1,7 @@
 #include "pipeline/volume_snapshot.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "platform/system/error.hpp"
@@ -17,17 +18,34 @@ std::vector<std::size_t> slots_by_brick(std::span<const int> bricks) {
     return slots;
 }
 
+/// Ascending and without doubles.
+bool in_order(std::span<const int> bricks) {
+    return std::ranges::adjacent_find(bricks, std::greater_equal{}) == bricks.end();
+}
+
 void check(const VolumeSnapshot& snapshot) {
     const std::size_t side = static_cast<std::size_t>(snapshot.config.size_vox / BRICK_VOX);
-    const bool in_order =
-        std::ranges::adjacent_find(snapshot.bricks, std::greater_equal{}) == snapshot.bricks.end();
     const bool inside =
         snapshot.bricks.empty() || (snapshot.bricks.front() >= 0 &&
                                     static_cast<std::size_t>(snapshot.bricks.back()) < side * side * side);
-    if (!in_order || !inside || snapshot.voxels.size() != snapshot.bricks.size() * BRICK_VOXELS)
+    if (!in_order(snapshot.bricks) || !inside ||
+        snapshot.voxels.size() != snapshot.bricks.size() * BRICK_VOXELS)
         throw Error(ExitStatus::bad_data, "the bricks of the volume do not fit its cube");
     if (snapshot.bricks.size() > static_cast<std::size_t>(snapshot.config.max_bricks))
         throw Error(ExitStatus::bad_data, "the volume has more bricks than its pool allows");
+    if (!in_order(snapshot.color_bricks) || !std::ranges::includes(snapshot.bricks, snapshot.color_bricks) ||
+        snapshot.colors.size() != snapshot.color_bricks.size() * BRICK_VOXELS)
+        throw Error(ExitStatus::bad_data, "the colours of the volume do not fit its bricks");
+}
+
+void take_colors(const ColorPool& pool, VolumeSnapshot& snapshot) {
+    if (pool.bricks().empty()) return;
+    const auto mapped = pool.colors().map_read(pool.bricks().size() * BRICK_VOXELS);
+    for (const std::size_t slot : slots_by_brick(pool.bricks())) {
+        snapshot.color_bricks.push_back(pool.bricks()[slot]);
+        const auto colors = mapped.values().subspan(slot * BRICK_VOXELS, BRICK_VOXELS);
+        snapshot.colors.insert(snapshot.colors.end(), colors.begin(), colors.end());
+    }
 }
 
 }  // namespace
@@ -44,6 +62,7 @@ VolumeSnapshot take_snapshot(const TsdfVolume& volume) {
         const auto voxels = pool.values().subspan(slot * BRICK_VOXELS, BRICK_VOXELS);
         snapshot.voxels.insert(snapshot.voxels.end(), voxels.begin(), voxels.end());
     }
+    if (volume.colors() != nullptr) take_colors(*volume.colors(), snapshot);
     return snapshot;
 }
 
@@ -52,6 +71,7 @@ TsdfVolume restore_volume(const Device& device, const VolumeSnapshot& snapshot) 
     check(snapshot);
     volume.allocate(snapshot.bricks);
     volume.write(snapshot.voxels);
+    if (!snapshot.color_bricks.empty()) volume.keep_colors().restore(snapshot.color_bricks, snapshot.colors);
     return volume;
 }
 

@@ -51,6 +51,8 @@ std::vector<Field> shared_fields() {
             FIELD(VolumeParams, reserved),
             FIELD(SampleWeightParams, reference_sigma_m),
             FIELD(SampleWeightParams, most),
+            FIELD(ColorParams, band_vox),
+            FIELD(ColorParams, guard_px),
             FIELD(TouchMapParams, finger_thickness_m),
             FIELD(TouchMapParams, reserved),
             FIELD(AssociationParams, quantisation_per_m),
