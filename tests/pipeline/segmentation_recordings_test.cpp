@@ -78,14 +78,14 @@ class Room {
         conversion_.convert(view, live_);
         if (!background_) background_.emplace(device_, config(), k_, *fit_volume(view, 4.5f));
         if (frame < 20) {
-            background_->scan(live_.depth_m);
+            background_->scan(live_);
             segmentation_.learn(live_, background_->prediction());
             return 0.0;
         }
         const Foreground& foreground = segmentation_.segment(live_, background_->prediction());
         const std::vector<std::uint8_t> mask = foreground.mask.read();
         conversion_.set_column_shift(drift_.update(live_, background_->prediction(), foreground));
-        background_->follow(live_.depth_m, foreground.background_mask);
+        background_->follow(live_, foreground.background_mask);
         const std::vector<float> depth_m = live_.depth_m.read();
         const auto valid = std::ranges::count_if(depth_m, [](float z) { return z > 0.0f; });
         return static_cast<double>(std::ranges::count(mask, 255)) / static_cast<double>(valid);
