@@ -39,6 +39,30 @@ __kernel void leave_out(__global const float* depth_m, __global const uchar* mas
     vstore8(select((float8)(0.0f), vload8(0, depth_m + at), kept), 0, result_m + at);
 }
 
+/* Adds w J^T (J, r) of eight pixels, J = (p x d, d) with p from the centre of the twist, and their statistics. */
+inline void add_rows8(float8* total, const Points8 p, const Points8 d, const float8 r, const float8 w) {
+    const float8 j[6] = {p.y * d.z - p.z * d.y, p.z * d.x - p.x * d.z, p.x * d.y - p.y * d.x, d.x, d.y, d.z};
+    int k = 0;
+    for (int a = 0; a < 6; ++a) {
+        const float8 wj = w * j[a];
+        for (int b = a; b < 6; ++b) total[k++] += wj * j[b];
+        total[ALIGNMENT_B + a] += wj * r;
+    }
+    const float8 counts = select((float8)(0.0f), (float8)(1.0f), w > 0.0f);
+    total[ALIGNMENT_STATISTICS] += w;
+    total[ALIGNMENT_STATISTICS + 1] += w * r * r;
+    total[ALIGNMENT_STATISTICS + 2] += counts;
+    total[ALIGNMENT_STATISTICS + 5] += counts * r * r;
+}
+
+inline Points8 from_centre8(const Points8 v, const float4 centre) {
+    Points8 p;
+    p.x = v.x - centre.x;
+    p.y = v.y - centre.y;
+    p.z = v.z - centre.z;
+    return p;
+}
+
 /* One row of pixels a work-item; global size (rows of the live map). Live: depths and normals in the camera frame c. */
 __kernel void sum_alignment(__global const float* live_m, __global const float* live_normals_c,
                             __global const float* model_m, __global const float* model_normals_p, __global float* sums, const MapShape live_shape,
@@ -84,20 +108,82 @@ __kernel void sum_alignment(__global const float* live_m, __global const float* 
         const float8 scale = params.reference_sigma_m / sigma;
         const float8 huber = fmin(1.0f, params.huber_sigmas / fmax(sigmas, 1e-6f));
         const float8 w = select((float8)(0.0f), scale * scale * huber, pair);
-        const float8 px = v.x - params.centre_p.x, py = v.y - params.centre_p.y, pz = v.z - params.centre_p.z;
-        const float8 j[6] = {py * n.z - pz * n.y, pz * n.x - px * n.z, px * n.y - py * n.x, n.x, n.y, n.z};
-        int k = 0;
-        for (int a = 0; a < 6; ++a) {
-            const float8 wj = w * j[a];
-            for (int b = a; b < 6; ++b) total[k++] += wj * j[b];
-            total[ALIGNMENT_B + a] += wj * r;
-        }
-        const float8 counts = select((float8)(0.0f), (float8)(1.0f), pair);
-        total[ALIGNMENT_STATISTICS] += w;
-        total[ALIGNMENT_STATISTICS + 1] += w * r * r;
-        total[ALIGNMENT_STATISTICS + 2] += counts;
         total[ALIGNMENT_STATISTICS + 3] += select((float8)(0.0f), (float8)(1.0f), compared);
-        total[ALIGNMENT_STATISTICS + 5] += counts * r * r;
+        add_rows8(total, from_centre8(v, params.centre_p), n, r, w);
+    }
+    for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[y * ALIGNMENT_SUMS + i] = sum8(total[i]);
+}
+
+/* Brightness 0..1 of 8-bit red, green, blue (Rec. 601), row-major without padding. One pixel a work-item. */
+__kernel void brightness(__global const uchar* rgb, __global float* intensity, const MapShape shape) {
+    const int x = (int)get_global_id(0), y = (int)get_global_id(1);
+    float value = 0.0f;
+    if (x < shape.width_px && y < shape.height_px) {
+        __global const uchar* p = rgb + 3 * (y * shape.width_px + x);
+        value = (0.299f * (float)p[0] + 0.587f * (float)p[1] + 0.114f * (float)p[2]) * (1.0f / 255.0f);
+    }
+    intensity[y * shape.pitch_px + x] = value;
+}
+
+/* Mean of 2x2 pixels. Eight pixels a work-item. */
+__kernel void half_intensity(__global const float* source, __global float* half_map, const MapShape source_shape,
+                             const MapShape half_shape) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
+    float8 result = (float8)(0.0f);
+    if (2 * x < source_shape.pitch_px && 2 * y + 1 < source_shape.rows_px) {
+        __global const float* top = source + 2 * y * source_shape.pitch_px + 2 * x;
+        const float16 a = vload16(0, top), b = vload16(0, top + source_shape.pitch_px);
+        result = 0.25f * (a.even + a.odd + b.even + b.odd);
+    }
+    vstore8(result, 0, half_map + y * half_shape.pitch_px + x);
+}
+
+/* The same sums for brightness: what the live pixel shows against what the prediction's camera saw of that point when
+ * it was there (level `level` of both pyramids; the prediction's depth map is the full one). One row a work-item. */
+__kernel void sum_intensity(__global const float* live_m, __global const float* live_intensity,
+                            __global const float* model_m, __global const float* model_intensity,
+                            __global float* sums, const MapShape live_shape, const Intrinsics live_k,
+                            const MapShape model_shape, const Intrinsics model_k, const Pose T_p_c,
+                            const AlignmentParams params, const int level) {
+    const int y = (int)get_global_id(0);
+    const float scale = 1.0f / (float)(1 << level);
+    float8 total[ALIGNMENT_SUMS];
+    for (int i = 0; i < ALIGNMENT_SUMS; ++i) total[i] = (float8)(0.0f);
+    for (int x = 0; x < live_shape.width_px; x += 8) {
+        const int at = y * live_shape.pitch_px + x;
+        const float8 live = vload8(0, live_m + at);
+        const int8 measured = live > 0.0f;
+        if (!any(measured)) continue;
+        const Points8 v = transform_points8(T_p_c, back_project8(live_k, x, y, live));
+        const int8 pixel = select((int8)(-1), project_to_index8(model_k, model_shape, v), measured);
+        const float8 model = gather8(model_m, pixel);
+        int8 pair = (model > 0.0f) & (fabs(model - v.z) < params.max_distance_m);
+        const float8 inverse_z = 1.0f / select((float8)(1.0f), v.z, pair);
+        // The point in the level's picture, and the four pixels around it.
+        const float8 column = (v.x * inverse_z * model_k.fx_px + model_k.cx_px + 0.5f) * scale - 0.5f;
+        const float8 row = (v.y * inverse_z * model_k.fy_px + model_k.cy_px + 0.5f) * scale - 0.5f;
+        pair &= (column >= 0.0f) & (row >= 0.0f) & (column < (float)(live_shape.width_px - 1)) &
+                (row < (float)(live_shape.height_px - 1));
+        if (!any(pair)) continue;
+        const float8 left = floor(select((float8)(0.0f), column, pair)), top = floor(select((float8)(0.0f), row, pair));
+        const float8 ax = select((float8)(0.0f), column, pair) - left, ay = select((float8)(0.0f), row, pair) - top;
+        const int8 corner = select((int8)(-1), convert_int8_rtz(top) * live_shape.pitch_px + convert_int8_rtz(left), pair);
+        const int8 below = select((int8)(-1), corner + live_shape.pitch_px, pair);
+        const int8 one = select((int8)(0), (int8)(1), pair);
+        const float8 i00 = gather8(model_intensity, corner), i10 = gather8(model_intensity, corner + one);
+        const float8 i01 = gather8(model_intensity, below), i11 = gather8(model_intensity, below + one);
+        const float8 r = mix(mix(i00, i10, ax), mix(i01, i11, ax), ay) - vload8(0, live_intensity + at);
+        const float8 du = mix(i10 - i00, i11 - i01, ay) * (scale * model_k.fx_px) * inverse_z;
+        const float8 dv = mix(i01 - i00, i11 - i10, ax) * (scale * model_k.fy_px) * inverse_z;
+        Points8 d;
+        d.x = -du;
+        d.y = -dv;
+        d.z = (du * v.x + dv * v.y) * inverse_z;
+        const float8 sigmas = fabs(r) / params.intensity_sigma;
+        const float huber_weight = params.reference_sigma_m / params.intensity_sigma;
+        const float8 huber = fmin(1.0f, params.huber_sigmas / fmax(sigmas, 1e-6f));
+        const float8 w = select((float8)(0.0f), huber_weight * huber_weight * huber, pair);
+        add_rows8(total, from_centre8(v, params.centre_p), d, r, w);
     }
     for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[y * ALIGNMENT_SUMS + i] = sum8(total[i]);
 }

@@ -150,13 +150,13 @@ typedef struct ShadingParams {
 /* Point-to-plane alignment (Listing 1, Eq 1) of live vertices with a prediction, both in the prediction's frame p.
  * A pair counts where the vertices are at most max_distance_m apart, the normals agree and the residual is below
  * cutoff_sigmas sigma_z(z, theta); its row weighs (reference_sigma_m / sigma_z)^2 times Huber's weight. The twist turns
- * about centre_p. */
+ * about centre_p. Rows of brightness (0..1) weigh (reference_sigma_m / intensity_sigma)^2 times Huber's weight. */
 typedef struct AlignmentParams {
     SensorNoise noise;
     Float4 centre_p;
     float max_distance_m, min_normal_cos, huber_sigmas, cutoff_sigmas;
-    float reference_sigma_m;
-    int reserved[3];
+    float reference_sigma_m, intensity_sigma;
+    int reserved[2];
 } AlignmentParams;
 
 /* What a row of pixels adds to the normal equations A x = b, x = (omega, t): A's upper triangle row by row, b, then sums of

@@ -58,6 +58,14 @@ double misfit(const AlignmentSums& sums) {
 
 }  // namespace
 
+IntensityMaps::IntensityMaps(const Device& device, const Intrinsics& intrinsics) {
+    Intrinsics k = intrinsics;
+    for (Buffer<float>& level : levels) {
+        level = Buffer<float>(device, map_pixels(make_map_shape(k)));
+        k = half_sized(k);
+    }
+}
+
 CameraTracking::CameraTracking(const Device& device, const CameraTrackingConfig& config,
                                const Intrinsics& intrinsics)
     : config_(config),
@@ -67,8 +75,13 @@ CameraTracking::CameraTracking(const Device& device, const CameraTrackingConfig&
       half_sample_(program_.kernel("half_sample")),
       leave_out_(program_.kernel("leave_out")),
       sum_alignment_(program_.kernel("sum_alignment")),
+      brightness_(program_.kernel("brightness")),
+      half_intensity_(program_.kernel("half_intensity")),
+      sum_intensity_(program_.kernel("sum_intensity")),
       normal_map_(conversion_.kernel("normal_map")),
-      sums_(device, static_cast<std::size_t>(make_map_shape(intrinsics).rows_px) * ALIGNMENT_SUMS) {
+      sums_(device, static_cast<std::size_t>(make_map_shape(intrinsics).rows_px) * ALIGNMENT_SUMS),
+      rgb_(device, 3 * static_cast<std::size_t>(intrinsics.width_px) *
+                       static_cast<std::size_t>(intrinsics.height_px)) {
     Intrinsics k = intrinsics;
     for (Level& level : levels_) {
         level.intrinsics = k;
@@ -108,22 +121,54 @@ AlignmentParams CameraTracking::params(int level) const {
     params.huber_sigmas = config_.huber_sigmas;
     params.cutoff_sigmas = limits.cutoff_sigmas;
     params.reference_sigma_m = sigma_z_m(config_.noise, 1.0f);
+    params.intensity_sigma = config_.intensity_sigma;
     return params;
 }
 
-AlignmentSums CameraTracking::sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level) {
-    const Level& at = levels_[static_cast<std::size_t>(level)];
-    const auto rows = static_cast<std::size_t>(at.shape.height_px);
-    sum_alignment_.launch({{rows, 1, 1}, {1, 1, 1}}, level == 0 ? *finest_depth_m_ : at.depth_m,
-                          level == 0 ? *finest_normals_c_ : at.normals_c, model.depth_m, model.normals_c,
-                          sums_, at.shape, at.intrinsics, model.shape, intrinsics_, to_pose(T_p_c),
-                          params(level));
+void CameraTracking::convert(std::span<const std::uint8_t> rgb, IntensityMaps& maps) {
+    rgb_.write(rgb);
+    const MapShape& shape = levels_[0].shape;
+    const auto pitch = static_cast<std::size_t>(shape.pitch_px),
+               rows = static_cast<std::size_t>(shape.rows_px);
+    brightness_.launch({{pitch, rows, 1}, {TILE_PX, 1, 1}}, rgb_, maps.levels[0], shape);
+    for (std::size_t i = 1; i < levels; ++i) {
+        half_intensity_.launch(eight_pixels_each(levels_[i].shape), maps.levels[i - 1], maps.levels[i],
+                               levels_[i - 1].shape, levels_[i].shape);
+    }
+}
+
+const Buffer<float>& CameraTracking::depth_m(int level) const {
+    return level == 0 ? *finest_depth_m_ : levels_[static_cast<std::size_t>(level)].depth_m;
+}
+
+AlignmentSums CameraTracking::read_sums(std::size_t rows) const {
     AlignmentSums sums;
     const auto mapped = sums_.map_read(rows * ALIGNMENT_SUMS);
     for (std::size_t row = 0; row < rows; ++row)
         add(mapped.values().subspan(row * ALIGNMENT_SUMS, ALIGNMENT_SUMS), sums);
     sums.A.triangularView<Eigen::StrictlyLower>() = sums.A.transpose();
     return sums;
+}
+
+AlignmentSums CameraTracking::sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level) {
+    const Level& at = levels_[static_cast<std::size_t>(level)];
+    const auto rows = static_cast<std::size_t>(at.shape.height_px);
+    sum_alignment_.launch({{rows, 1, 1}, {1, 1, 1}}, depth_m(level),
+                          level == 0 ? *finest_normals_c_ : at.normals_c, model.depth_m, model.normals_c,
+                          sums_, at.shape, at.intrinsics, model.shape, intrinsics_, to_pose(T_p_c),
+                          params(level));
+    return read_sums(rows);
+}
+
+AlignmentSums CameraTracking::sum_intensity(const SurfacePrediction& model, const IntensityPair& intensity,
+                                            const RigidTransform& T_p_c, int level) {
+    const auto index = static_cast<std::size_t>(level);
+    const Level& at = levels_[index];
+    const auto rows = static_cast<std::size_t>(at.shape.height_px);
+    sum_intensity_.launch({{rows, 1, 1}, {1, 1, 1}}, depth_m(level), intensity.live.levels[index],
+                          model.depth_m, intensity.model.levels[index], sums_, at.shape, at.intrinsics,
+                          model.shape, intrinsics_, to_pose(T_p_c), params(level), level);
+    return read_sums(rows);
 }
 
 RigidTransform CameraTracking::best_guess(const SurfacePrediction& model,
@@ -140,11 +185,17 @@ RigidTransform CameraTracking::best_guess(const SurfacePrediction& model,
     return *best;
 }
 
-void CameraTracking::refine(const SurfacePrediction& model, int level, TrackingResult& result) {
+void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair* intensity, int level,
+                            TrackingResult& result) {
     const Eigen::Vector3f centre(0.0f, 0.0f, centre_depth_m_);
     const double lever_m = 0.5 * static_cast<double>(centre_depth_m_);
     for (int i = 0; i < config_.levels[static_cast<std::size_t>(level)].iterations; ++i) {
-        const AlignmentSums sums = sum(model, result.T_p_c, level);
+        AlignmentSums sums = sum(model, result.T_p_c, level);
+        if (intensity != nullptr) {
+            const AlignmentSums of_intensity = sum_intensity(model, *intensity, result.T_p_c, level);
+            sums.A += of_intensity.A;
+            sums.b += of_intensity.b;
+        }
         ++result.iterations;
         const TwistSolution solution =
             solve_twist(sums, lever_m, static_cast<double>(config_.min_eigenvalue));
@@ -157,12 +208,13 @@ void CameraTracking::refine(const SurfacePrediction& model, int level, TrackingR
 }
 
 TrackingResult CameraTracking::track(const LiveMaps& live, const SurfacePrediction& model,
-                                     std::span<const RigidTransform> guesses,
+                                     std::span<const RigidTransform> guesses, const IntensityPair* intensity,
                                      const Buffer<std::uint8_t>* excluded) {
     TrackingResult result;
     prepare(live, excluded);
     result.T_p_c = best_guess(model, guesses);
-    for (int level = static_cast<int>(levels) - 1; level >= 0; --level) refine(model, level, result);
+    for (int level = static_cast<int>(levels) - 1; level >= 0; --level)
+        refine(model, intensity, level, result);
     const AlignmentSums sums = sum(model, result.T_p_c, 0);
     const double pairs = std::max(sums.pairs, 1.0);
     const double reference_m = static_cast<double>(sigma_z_m(config_.noise, 1.0f));

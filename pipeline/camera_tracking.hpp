@@ -28,6 +28,7 @@ struct CameraTrackingConfig {
                                         TrackingLevel{10, 0.20f, 40.0f}};  ///< fine to coarse
     float max_normal_angle_deg = 35.0f;
     float huber_sigmas = 1.5f;
+    float intensity_sigma = 0.05f;  ///< of brightness 0..1 between two frames
     float half_sample_gap_per_m = 0.03f;
     float normal_gap_per_m = 0.03f;
     float min_eigenvalue = 0.002f;  ///< directions below it are held
@@ -52,21 +53,40 @@ struct TrackingResult {
     int iterations = 0;
 };
 
+/// Brightness 0..1 of a colour picture that is registered to the depth camera, and its halves.
+struct IntensityMaps {
+    IntensityMaps(const Device& device, const Intrinsics& intrinsics);
+    std::array<Buffer<float>, 3> levels;
+};
+
+/// The same point of the scene as two cameras saw it.
+struct IntensityPair {
+    const IntensityMaps& live;
+    const IntensityMaps& model;  ///< of the camera that the prediction is of
+};
+
 /// 6DOF pose of the camera against a prediction: Listing 1 and Eq 1, coarse to fine.
 class CameraTracking {
   public:
     CameraTracking(const Device& device, const CameraTrackingConfig& config, const Intrinsics& intrinsics);
 
     /// `guesses` are poses of the live camera in the prediction's camera frame p; the one that fits best at
-    /// the coarsest level is refined. `excluded`: null, or a map whose pixels that are not 0 are left out.
+    /// the coarsest level is refined. `intensity`: null, or what both cameras saw. `excluded`: null, or a map
+    /// whose pixels that are not 0 are left out.
     TrackingResult track(const LiveMaps& live, const SurfacePrediction& model,
-                         std::span<const RigidTransform> guesses,
+                         std::span<const RigidTransform> guesses, const IntensityPair* intensity = nullptr,
                          const Buffer<std::uint8_t>* excluded = nullptr);
+
+    /// Brightness of width x height pixels, 3 bytes each.
+    void convert(std::span<const std::uint8_t> rgb, IntensityMaps& maps);
 
     /// Makes the levels that sum() reads; track() does it itself.
     void prepare(const LiveMaps& live, const Buffer<std::uint8_t>* excluded = nullptr);
     /// The sums of one evaluation at a level, 0 = finest, of the frame last prepared.
     AlignmentSums sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level);
+    /// The same of brightness.
+    AlignmentSums sum_intensity(const SurfacePrediction& model, const IntensityPair& intensity,
+                                const RigidTransform& T_p_c, int level);
 
   private:
     struct Level {
@@ -76,7 +96,10 @@ class CameraTracking {
     };
 
     RigidTransform best_guess(const SurfacePrediction& model, std::span<const RigidTransform> guesses);
-    void refine(const SurfacePrediction& model, int level, TrackingResult& result);
+    void refine(const SurfacePrediction& model, const IntensityPair* intensity, int level,
+                TrackingResult& result);
+    const Buffer<float>& depth_m(int level) const;
+    AlignmentSums read_sums(std::size_t rows) const;
     AlignmentParams params(int level) const;
 
     CameraTrackingConfig config_;
@@ -85,8 +108,10 @@ class CameraTracking {
     const Buffer<float>* finest_depth_m_ = nullptr;
     const Buffer<float>* finest_normals_c_ = nullptr;
     Program program_, conversion_;
-    Kernel half_sample_, leave_out_, sum_alignment_, normal_map_;
+    Kernel half_sample_, leave_out_, sum_alignment_, brightness_, half_intensity_, sum_intensity_,
+        normal_map_;
     Buffer<float> sums_;
+    Buffer<std::uint8_t> rgb_;
     float centre_depth_m_ = 1.0f;
 };
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
+#include <span>
 
 #include "pipeline/camera_tracking.hpp"
 #include "pipeline/depth_map_conversion.hpp"
@@ -19,6 +18,7 @@ struct ReconstructionConfig {
     CameraTrackingConfig tracking;
     VolumeConfig volume;
     SampleWeightConfig weights;
+    bool use_color = true;  ///< brightness helps to track, where there is a colour picture
 };
 
 /// What one frame gave.
@@ -35,7 +35,8 @@ class Reconstruction {
     Reconstruction(const Device& device, const ReconstructionConfig& config, const Intrinsics& intrinsics,
                    const RigidTransform& T_g_c);
 
-    ReconstructionFrame process(const DepthView& view);
+    /// `color_rgb`: empty, or 3 bytes a pixel, registered to the depth picture.
+    ReconstructionFrame process(const DepthView& view, std::span<const std::uint8_t> color_rgb = {});
 
     const TsdfVolume& volume() const { return volume_; }
     const SurfacePrediction& prediction() const { return prediction_; }
@@ -45,7 +46,7 @@ class Reconstruction {
     const StageTimes& stage_times() const { return times_; }
 
   private:
-    void track(ReconstructionFrame& frame);
+    void track(bool has_intensity, ReconstructionFrame& frame);
     void fuse();
 
     const Device* device_;
@@ -59,6 +60,8 @@ class Reconstruction {
     Raycasting raycasting_;
     LiveMaps live_;
     SurfacePrediction prediction_;
+    IntensityMaps live_intensity_, model_intensity_;
+    bool model_has_intensity_ = false;
     RigidTransform T_g_c_;     // of the last frame that was tracked
     RigidTransform T_g_p_;     // of the prediction
     RigidTransform velocity_;  // T_p_c of the last step
