@@ -128,7 +128,7 @@ constexpr CellCase make_case(std::uint8_t inside) {
     return result;
 }
 
-constexpr std::array<CellCase, 256> make_cases() {
+std::array<CellCase, 256> make_cases() {
     std::array<CellCase, 256> cases{};
     for (std::size_t inside = 0; inside < 256; ++inside) {
         cases[inside] = make_case(static_cast<std::uint8_t>(inside));
@@ -136,10 +136,11 @@ constexpr std::array<CellCase, 256> make_cases() {
     return cases;
 }
 
-constexpr std::array<CellCase, 256> cases = make_cases();
-
 }  // namespace
 
-const CellCase& cell_case(std::uint8_t inside) { return cases[inside]; }
+const CellCase& cell_case(std::uint8_t inside) {
+    static const std::array<CellCase, 256> cases = make_cases();
+    return cases[inside];
+}
 
 }  // namespace touchstone

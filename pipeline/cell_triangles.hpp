@@ -27,8 +27,8 @@ struct CellCase {
 /// Surface in a cell by which corners are inside (bit c: corner c). Crossings are joined face by face, two
 /// diagonal corners inside always connected, so that both cells at a face agree; no triangle side lies in a
 /// face but these joins. Hence every triangle side has exactly one other, turned round, in the cell or in its
-/// neighbour: no cracks, no doubled sides. Worked out at compile time; method of Lorensen and Cline 1987 with
-/// the one choice on ambiguous faces that, for example, Montani, Scateni and Scopigno 1994 make.
+/// neighbour: no cracks, no doubled sides. Worked out at the first call; method of Lorensen and Cline 1987
+/// with the one choice on ambiguous faces that, for example, Montani, Scateni and Scopigno 1994 make.
 const CellCase& cell_case(std::uint8_t inside);
 
 }  // namespace touchstone

@@ -112,14 +112,9 @@ std::string stl_of(const SurfaceMesh& mesh) {
 }
 
 std::string bytes_of(MeshFormat format, const SurfaceMesh& mesh) {
-    switch (format) {
-        case MeshFormat::ply:
-            return ply_of(mesh);
-        case MeshFormat::obj:
-            return obj_of(mesh);
-        default:
-            return stl_of(mesh);
-    }
+    if (format == MeshFormat::ply) return ply_of(mesh);
+    if (format == MeshFormat::obj) return obj_of(mesh);
+    return stl_of(mesh);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ VoxelState state_of(std::int32_t voxel, int min_weight) {
 /// A brick's voxels and the first layers of the next bricks: corners of all its cells.
 struct BrickStates {
     static constexpr int side = BRICK_VOX + 1;
-    std::array<VoxelState, side * side * side> states{};
+    std::array<VoxelState, std::size_t{side} * side * side> states{};
     bool has_inside = false, has_outside = false;
 
     VoxelState at(int x, int y, int z) const {

@@ -12,7 +12,7 @@ namespace touchstone {
 /// The crossed edges of the voxel grid that start in one brick, numbered in order. An edge belongs to the
 /// voxel it starts from: edge = 3 voxel + axis.
 struct BrickEdges {
-    static constexpr std::size_t count = 3 * BRICK_VOXELS;
+    static constexpr std::size_t count = std::size_t{3} * BRICK_VOXELS;
 
     std::array<std::uint64_t, count / 64> crossed{};
     std::array<std::uint32_t, count / 64> first{};  ///< number of each word's first crossed edge

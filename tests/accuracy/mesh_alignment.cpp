@@ -1,7 +1,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "tests/accuracy/closest_point.hpp"
+#include "tests/accuracy/distance_to_mesh.hpp"
 #include "tests/accuracy/surface_score.hpp"
 
 namespace touchstone {
@@ -24,18 +24,19 @@ std::vector<Pair> pairs_of(const std::vector<Eigen::Vector3f>& points, const Dis
 }
 
 /// Three times the median distance, at least a millimetre.
-float outlier_limit_m(const std::vector<Pair>& pairs) {
-    std::vector<float> distances;
+double outlier_limit_m(const std::vector<Pair>& pairs) {
+    std::vector<double> distances;
+    distances.reserve(pairs.size());
     for (const Pair& pair : pairs) distances.push_back(pair.found.distance_m);
     const auto half = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
     std::nth_element(distances.begin(), half, distances.end());
-    return std::max(3.0f * *half, 0.001f);
+    return std::max(3.0 * *half, 0.001);
 }
 
 /// Twist (rotation about the points' middle times `radius_m`, then translation), metres, that lowers the
 /// distances along the normals.
 Vector6d solve(const std::vector<Pair>& pairs, const Eigen::Vector3f& middle_m, float radius_m) {
-    const float limit_m = outlier_limit_m(pairs);
+    const double limit_m = outlier_limit_m(pairs);
     Matrix6d A = Matrix6d::Zero();
     Vector6d b = Vector6d::Zero();
     for (const Pair& pair : pairs) {

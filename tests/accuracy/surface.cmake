@@ -1,12 +1,11 @@
 touchstone_library(touchstone_surface_accuracy
-    closest_point.cpp
     mesh_alignment.cpp
     mesh_input.cpp
     mesh_picture.cpp
     surface_score.cpp)
 target_link_libraries(touchstone_surface_accuracy
     PUBLIC touchstone_pipeline touchstone_image
-    PRIVATE PkgConfig::ASSIMP nlohmann_json::nlohmann_json)
+    PRIVATE touchstone_simulator PkgConfig::ASSIMP nlohmann_json::nlohmann_json)
 
 foreach(program score_surface render_mesh)
     add_executable(${program} ${program}.cpp)
@@ -15,7 +14,7 @@ foreach(program score_surface render_mesh)
 endforeach()
 
 touchstone_test(surface_accuracy_test
-    SOURCES closest_point_test.cpp mesh_picture_test.cpp surface_score_test.cpp
+    SOURCES mesh_picture_test.cpp surface_score_test.cpp
     LIBRARIES touchstone_surface_accuracy nlohmann_json::nlohmann_json)
 
 touchstone_test(surface_programs_test

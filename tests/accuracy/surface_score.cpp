@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "tests/accuracy/closest_point.hpp"
+#include "tests/accuracy/distance_to_mesh.hpp"
 
 namespace touchstone {
 namespace {
@@ -14,8 +14,7 @@ namespace {
 std::vector<double> distances_mm(const std::vector<Eigen::Vector3f>& points, const DistanceToMesh& mesh) {
     std::vector<double> distances;
     distances.reserve(points.size());
-    for (const auto& point : points)
-        distances.push_back(1000.0 * static_cast<double>(mesh.closest(point).distance_m));
+    for (const auto& point : points) distances.push_back(1000.0 * mesh.closest(point).distance_m);
     std::ranges::sort(distances);
     return distances;
 }
