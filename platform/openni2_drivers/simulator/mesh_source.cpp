@@ -3,11 +3,12 @@
 #include <cmath>
 #include <optional>
 
-#include "platform/openni2_drivers/simulator/camera_path.hpp"
 #include "platform/openni2_drivers/simulator/depth_noise.hpp"
+#include "platform/openni2_drivers/simulator/mask_files.hpp"
+#include "platform/openni2_drivers/simulator/object_mesh.hpp"
 #include "platform/openni2_drivers/simulator/pose_writer.hpp"
-#include "platform/openni2_drivers/simulator/rasteriser.hpp"
-#include "platform/openni2_drivers/simulator/table_view.hpp"
+#include "platform/openni2_drivers/simulator/room.hpp"
+#include "platform/openni2_drivers/simulator/scene_view.hpp"
 #include "platform/system/error.hpp"
 
 namespace touchstone {
@@ -17,9 +18,7 @@ using namespace sim;
 struct MeshSource::State {
     explicit State(const SimulatorConfig& given)
         : config(given),
-          mesh(truth_mesh(given)),
-          path(config.motion, config.scene == SimulatedScene::room ? room_viewpoint() : wall_viewpoint(),
-               config.seed),
+          view(config.scene == SimulatedScene::object ? make_object_view(config) : make_moving_view(config)),
           info{kinect_intrinsics(),           true,           kinect_intrinsics().width_px,
                kinect_intrinsics().height_px, config.rate_hz, Pace::live},
           noise(config.seed, info.intrinsics.fx_px, config.noise, config.drift) {
@@ -27,12 +26,11 @@ struct MeshSource::State {
     }
 
     SimulatorConfig config;
-    TriangleMesh mesh;
-    CameraPath path;
+    std::unique_ptr<SceneView> view;
     SourceInfo info;
     DepthNoise noise;
     std::optional<PoseWriter> poses;
-    Raster raster;
+    Picture picture;
     bool color = false;
     int next_index = 0;
 };
@@ -51,19 +49,24 @@ bool MeshSource::next(SourceFrame& frame) {
     frame.index = state.next_index++;
     const double time_s = frame.index / state.config.rate_hz;
     frame.timestamp_us = static_cast<std::uint64_t>(std::llround(1e6 * time_s));
-    const Eigen::Isometry3d T_s_c = state.path.at(frame.index);
-    rasterise(state.mesh, T_s_c.inverse(), state.info.intrinsics, state.raster);
-    state.noise.apply(state.raster.depth_m, frame.index, time_s, frame.depth_mm);
+    const Eigen::Isometry3d T_s_c = state.view->draw(frame.index, state.picture);
+    state.noise.apply(state.picture.depth_m, frame.index, time_s, frame.depth_mm);
     frame.color_rgb.clear();
-    if (state.color) shade_raster(state.raster, state.mesh, T_s_c, state.info.intrinsics, frame.color_rgb);
+    if (state.color) state.view->color(state.picture, frame.color_rgb);
     if (state.poses) state.poses->add_frame(time_s, T_s_c);
+    if (!state.config.masks_folder.empty())
+        write_masks(state.config.masks_folder, frame, state.picture, state.info.intrinsics);
     return true;
 }
 
 TriangleMesh truth_mesh(const SimulatorConfig& config) {
     if (config.scene == SimulatedScene::room) return make_room(config.seed);
     if (config.scene == SimulatedScene::wall) return make_wall();
-    throw Error(ExitStatus::usage, "simulator: a table has no triangles; use room or wall");
+    if (config.scene != SimulatedScene::object)
+        throw Error(ExitStatus::usage, "simulator: a table has no triangles; use room, wall or object");
+    TriangleMesh mesh = config.mesh_path.empty() ? make_bowl() : read_mesh(config.mesh_path);
+    fit(mesh, config.size_m);
+    return mesh;
 }
 
 }  // namespace touchstone

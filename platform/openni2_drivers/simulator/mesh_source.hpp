@@ -13,11 +13,11 @@ namespace touchstone {
 /// (sim::Scene).
 sim::TriangleMesh truth_mesh(const SimulatorConfig& config);
 
-/// A Kinect v1 that moves before a scene of triangles: `room` or `wall`. Equal configurations give equal
+/// A Kinect v1 before a scene of triangles: `room`, `wall` or `object`. Equal configurations give equal
 /// frames; nothing depends on the clock.
 class MeshSource : public FrameSource {
   public:
-    /// Throws Error{io_error} when the poses cannot be written.
+    /// Throws as truth_mesh does, and Error{io_error} when the poses cannot be written.
     explicit MeshSource(const SimulatorConfig& config);
     ~MeshSource() override;
 

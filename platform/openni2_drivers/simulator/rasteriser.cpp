@@ -140,11 +140,13 @@ void rasterise(const TriangleMesh& mesh, const Eigen::Isometry3d& T_c_s, const I
 }
 
 void shade_raster(const Raster& raster, const TriangleMesh& mesh, const Eigen::Isometry3d& T_s_c,
-                  const Intrinsics& intrinsics, std::vector<std::uint8_t>& color_rgb) {
+                  const Eigen::Matrix3d& R_w_s, const Intrinsics& intrinsics,
+                  std::vector<std::uint8_t>& color_rgb) {
     const Eigen::Isometry3f pose = T_s_c.cast<float>();
+    const Eigen::Matrix3f to_room = R_w_s.cast<float>();
     std::vector<Vec3> normals(mesh.triangles.size());
     for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = triangle_normal(mesh, i);
-    color_rgb.assign(3 * raster.depth_m.size(), 0);
+    color_rgb.resize(3 * raster.depth_m.size());
     for (std::size_t i = 0; i < raster.depth_m.size(); ++i) {
         if (raster.triangle[i] == Raster::no_triangle) continue;
         const auto number = static_cast<std::size_t>(raster.triangle[i]);
@@ -154,8 +156,8 @@ void shade_raster(const Raster& raster, const TriangleMesh& mesh, const Eigen::I
                          1.0F);
         const Vec3 p_s = pose * (raster.depth_m[i] * ray_c).eval();
         const bool from_behind = normals[number].dot(p_s - pose.translation()) > 0.0F;
-        const Vec3 light =
-            pattern(p_s) * shade(mesh.albedo[number], from_behind ? -normals[number] : normals[number]);
+        const Vec3 normal_w = to_room * (from_behind ? -normals[number] : normals[number]);
+        const Vec3 light = pattern(p_s) * shade(mesh.albedo[number], normal_w);
         for (int c = 0; c < 3; ++c) color_rgb[3 * i + static_cast<std::size_t>(c)] = to_byte(light[c]);
     }
 }

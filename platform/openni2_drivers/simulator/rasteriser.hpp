@@ -24,9 +24,12 @@ struct Raster {
 void rasterise(const TriangleMesh& mesh, const Eigen::Isometry3d& T_c_s, const Intrinsics& intrinsics,
                Raster& raster);
 
-/// 3 bytes a pixel: each triangle's albedo, a soft pattern that lies in the scene, and the room's light on
-/// the flat normal; black where nothing is seen. T_s_c is the camera's pose.
+/// Colours the pixels where something is seen, 3 bytes each, of a picture that is made black where it has no
+/// pixels yet: each triangle's albedo, a soft pattern that lies in the mesh, and the room's light on the flat
+/// normal. T_s_c is the camera's pose in the frame of the mesh, R_w_s turns that frame to the room's, where z
+/// is up.
 void shade_raster(const Raster& raster, const TriangleMesh& mesh, const Eigen::Isometry3d& T_s_c,
-                  const Intrinsics& intrinsics, std::vector<std::uint8_t>& color_rgb);
+                  const Eigen::Matrix3d& R_w_s, const Intrinsics& intrinsics,
+                  std::vector<std::uint8_t>& color_rgb);
 
 }  // namespace touchstone::sim

@@ -12,7 +12,8 @@ namespace touchstone {
 namespace {
 
 constexpr std::string_view key_names =
-    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, motion, poses";
+    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, mesh, "
+    "size_m, grip, knock_s, knock_deg, knock_mm";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -29,7 +30,7 @@ std::optional<Value> find_name(const Names<Value, count>& names, std::string_vie
 }
 
 SimulatedScene parse_scene(std::string_view name) {
-    constexpr Names<SimulatedScene, 8> scenes{{
+    constexpr Names<SimulatedScene, 9> scenes{{
         {"", SimulatedScene::mixed},
         {"flat", SimulatedScene::flat},
         {"curved", SimulatedScene::curved},
@@ -38,9 +39,11 @@ SimulatedScene parse_scene(std::string_view name) {
         {"mixed", SimulatedScene::mixed},
         {"room", SimulatedScene::room},
         {"wall", SimulatedScene::wall},
+        {"object", SimulatedScene::object},
     }};
     if (const auto scene = find_name(scenes, name)) return *scene;
-    refuse(fmt::format("unknown scene '{}'; use flat, curved, cluttered, bowl, mixed, room or wall", name));
+    refuse(fmt::format("unknown scene '{}'; use flat, curved, cluttered, bowl, mixed, room, wall or object",
+                       name));
 }
 
 CameraMotion parse_motion(std::string_view name) {
@@ -55,11 +58,20 @@ CameraMotion parse_motion(std::string_view name) {
     refuse(fmt::format("key motion must be still, sweep, orbit, rpy or slide, not '{}'", name));
 }
 
+bool parse_grip(std::string_view name) {
+    if (name == "none" || name == "fingers") return name == "fingers";
+    refuse(fmt::format("key grip must be none or fingers, not '{}'", name));
+}
+
 /// Whether a key says anything about a scene of this kind.
 bool applies(std::string_view key, SimulatedScene scene) {
-    for (const std::string_view of_tables : {"hands", "human", "truth", "masks", "height", "tilt", "empty"})
+    const bool object = scene == SimulatedScene::object;
+    for (const std::string_view of_tables : {"hands", "human", "truth", "height", "tilt", "empty"})
         if (key == of_tables) return is_table(scene);
-    if (key == "motion") return !is_table(scene);
+    for (const std::string_view of_objects : {"mesh", "size_m", "grip"})
+        if (key == of_objects) return object;
+    if (key == "masks") return is_table(scene) || object;
+    if (key == "motion") return !is_table(scene) && !object;
     return true;
 }
 
@@ -115,6 +127,14 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
         config.empty_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "rate")
         config.rate_hz = parse_number(key, value, 1.0, 120.0);
+    else if (key == "size_m")
+        config.size_m = parse_number(key, value, 0.02, 0.5);
+    else if (key == "knock_s")
+        config.knock_s = parse_number(key, value, 0.0, 3600.0);
+    else if (key == "knock_deg")
+        config.knock_deg = parse_number(key, value, 0.0, 180.0);
+    else if (key == "knock_mm")
+        config.knock_mm = parse_number(key, value, 0.0, 10000.0);
     else
         return false;
     return true;
@@ -129,6 +149,10 @@ bool set_text(SimulatorConfig& config, std::string_view key, std::string_view va
         config.poses_path = parse_path(key, value);
     else if (key == "motion")
         config.motion = parse_motion(value);
+    else if (key == "mesh")
+        config.mesh_path = parse_path(key, value);
+    else if (key == "grip")
+        config.fingers = parse_grip(value);
     else
         return false;
     return true;

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/core.h>
 
-#include "platform/image/png_file.hpp"
 #include "platform/openni2_drivers/simulator/depth_noise.hpp"
 #include "platform/openni2_drivers/simulator/hand_layer.hpp"
 #include "platform/openni2_drivers/simulator/hand_script.hpp"
+#include "platform/openni2_drivers/simulator/knock.hpp"
+#include "platform/openni2_drivers/simulator/mask_files.hpp"
+#include "platform/openni2_drivers/simulator/pose_writer.hpp"
 #include "platform/openni2_drivers/simulator/static_layer.hpp"
 #include "platform/openni2_drivers/simulator/truth_writer.hpp"
 #include "platform/system/error.hpp"
@@ -51,17 +52,20 @@ struct SimulatorSource::State {
             scripts.emplace_back(config, Workplace{scene, view, static_depth_m, half}, hand);
         }
         if (!config.truth_path.empty()) truth.emplace(config.truth_path, config.rate_hz);
+        if (!config.poses_path.empty()) poses.emplace(config.poses_path);
     }
 
+    void follow_camera(double time_s);
     void draw(double time_s);
     void write_truth();
     void make_color(std::vector<std::uint8_t>& color_rgb);
-    void write_masks(const SourceFrame& frame) const;
 
     SimulatorConfig config;
-    TableView view;
+    TableView view;  ///< of the camera as it was set up: what the hands reckon with
     Scene scene;
-    std::vector<float> static_depth_m;
+    std::vector<float> static_depth_m;  ///< in `view`
+    TableView seen = view;              ///< of the camera as it is: elsewhere after a knock
+    std::vector<float> seen_depth_m = static_depth_m;
     std::vector<std::uint8_t> static_color_rgb;  ///< made when colour is first asked for
     SourceInfo info;
     DepthNoise noise;
@@ -69,17 +73,26 @@ struct SimulatorSource::State {
     std::vector<std::optional<HandMoment>> moments;  ///< of this frame, one for each script
     Picture picture;
     std::optional<TruthWriter> truth;
+    std::optional<PoseWriter> poses;
     bool color = false;
     int next_index = 0;
 };
 
+void SimulatorSource::State::follow_camera(double time_s) {
+    const TableView now = moved_view(view, knock(config, time_s));
+    if (now.rotation_s_c == seen.rotation_s_c && now.camera_s == seen.camera_s) return;
+    seen = now;
+    seen_depth_m = render_static_depth(scene, seen);
+    static_color_rgb.clear();
+}
+
 void SimulatorSource::State::draw(double time_s) {
-    clear_picture(picture, static_depth_m);
+    clear_picture(picture, seen_depth_m);
     moments.clear();
     for (HandScript& script : scripts) {
         const auto owner = static_cast<int>(moments.size());
         moments.push_back(script.at(time_s));
-        if (moments.back()) draw_hand(picture, moments.back()->hand, owner, view);
+        if (moments.back()) draw_hand(picture, moments.back()->hand, owner, seen);
     }
 }
 
@@ -88,33 +101,21 @@ void SimulatorSource::State::write_truth() {
     for (std::size_t i = 0; i < moments.size(); ++i) {
         if (!moments[i]) continue;
         const auto hand = static_cast<int>(i);
-        if (const auto index = tip_truth(moments[i]->hand.index(), hand, 0, scene, view))
+        if (const auto index = tip_truth(moments[i]->hand.index(), hand, 0, scene, seen))
             tips.push_back(*index);
         if (!moments[i]->thumb_in_use) continue;
-        if (const auto thumb = tip_truth(moments[i]->hand.thumb(), hand, 1, scene, view))
+        if (const auto thumb = tip_truth(moments[i]->hand.thumb(), hand, 1, scene, seen))
             tips.push_back(*thumb);
     }
     truth->add_frame(tips);
 }
 
 void SimulatorSource::State::make_color(std::vector<std::uint8_t>& color_rgb) {
-    if (static_color_rgb.empty()) static_color_rgb = render_static_color(scene, view, static_depth_m);
+    if (static_color_rgb.empty()) static_color_rgb = render_static_color(scene, seen, seen_depth_m);
     color_rgb = static_color_rgb;
     for (std::size_t i = 0; i < moments.size(); ++i)
         if (moments[i])
-            color_hand(color_rgb, picture, moments[i]->hand, scripts[i].shape(), static_cast<int>(i), view);
-}
-
-void SimulatorSource::State::write_masks(const SourceFrame& frame) const {
-    const int width = view.intrinsics.width_px;
-    const int height = view.intrinsics.height_px;
-    Image8 mask{width, height, 1, {}};
-    mask.pixels.reserve(picture.part.size());
-    for (const std::uint8_t part : picture.part) mask.pixels.push_back(part != 0 ? 255 : 0);
-    const std::filesystem::path folder = config.masks_folder;
-    write_png(folder / fmt::format("truth-{:06d}.mask.png", frame.index), mask);
-    write_png(folder / fmt::format("frame-{:06d}.depth.png", frame.index),
-              Image16{width, height, frame.depth_mm});
+            color_hand(color_rgb, picture, moments[i]->hand, scripts[i].shape(), static_cast<int>(i), seen);
 }
 
 SimulatorSource::SimulatorSource(const SimulatorConfig& config) : state_(std::make_unique<State>(config)) {}
@@ -131,12 +132,15 @@ bool SimulatorSource::next(SourceFrame& frame) {
     frame.index = state.next_index++;
     const double time_s = frame.index / state.config.rate_hz;
     frame.timestamp_us = static_cast<std::uint64_t>(std::llround(1e6 * time_s));
+    state.follow_camera(time_s);
     state.draw(time_s);
     state.noise.apply(state.picture.depth_m, frame.index, time_s, frame.depth_mm);
     frame.color_rgb.clear();
     if (state.color) state.make_color(frame.color_rgb);
     if (state.truth) state.write_truth();
-    if (!state.config.masks_folder.empty()) state.write_masks(frame);
+    if (state.poses) state.poses->add_frame(time_s, pose_of(state.seen));
+    if (!state.config.masks_folder.empty())
+        write_masks(state.config.masks_folder, frame, state.picture, state.info.intrinsics);
     return true;
 }
 

@@ -16,4 +16,18 @@ TableView make_table_view(double height_m, double tilt_deg) {
     return view;
 }
 
+TableView moved_view(const TableView& view, const Eigen::Isometry3d& T_before_now) {
+    TableView moved = view;
+    moved.rotation_s_c = view.rotation_s_c * T_before_now.linear().cast<float>();
+    moved.camera_s = view.to_scene(T_before_now.translation().cast<float>());
+    return moved;
+}
+
+Eigen::Isometry3d pose_of(const TableView& view) {
+    Eigen::Isometry3d T_s_c = Eigen::Isometry3d::Identity();
+    T_s_c.linear() = Eigen::Quaterniond(view.rotation_s_c.cast<double>()).normalized().toRotationMatrix();
+    T_s_c.translation() = view.camera_s.cast<double>();
+    return T_s_c;
+}
+
 }  // namespace touchstone::sim

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "kernels/shared_types.h"
 #include "platform/openni2_drivers/simulator/geometry.hpp"
 
@@ -35,5 +37,11 @@ struct TableView {
 
 /// The optical axis meets the origin of the scene; the tilt leans it towards +y.
 TableView make_table_view(double height_m, double tilt_deg);
+
+/// The camera after a movement given in its own frame.
+TableView moved_view(const TableView& view, const Eigen::Isometry3d& T_before_now);
+
+/// T_s_c: camera to scene.
+Eigen::Isometry3d pose_of(const TableView& view);
 
 }  // namespace touchstone::sim

@@ -1,12 +1,10 @@
 #include "platform/openni2_drivers/simulator/mesh_source.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
 
 #include "platform/openni2_drivers/simulator/mesh_distance.hpp"
-#include "platform/openni2_drivers/simulator/simulator_source.hpp"
+#include "tests/platform/openni2_drivers/simulator/pose_file.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -14,37 +12,6 @@ namespace touchstone {
 namespace {
 
 using testing::HasSubstr;
-
-std::vector<SourceFrame> play(const std::string& uri, bool color = false) {
-    const auto source = open_simulator(uri);
-    source->enable_color(color);
-    std::vector<SourceFrame> frames(1);
-    while (source->next(frames.back())) frames.emplace_back();
-    frames.pop_back();
-    return frames;
-}
-
-struct TimedPose {
-    double time_s;
-    Eigen::Isometry3d T_s_c;
-};
-
-std::vector<TimedPose> read_poses(const std::filesystem::path& path) {
-    std::vector<TimedPose> poses;
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream words(line);
-        TimedPose pose{};
-        Eigen::Vector3d t;
-        Eigen::Quaterniond q;
-        words >> pose.time_s >> t.x() >> t.y() >> t.z() >> q.x() >> q.y() >> q.z() >> q.w();
-        EXPECT_FALSE(words.fail()) << line;
-        EXPECT_NEAR(q.norm(), 1.0, 1e-9);
-        pose.T_s_c = Eigen::Translation3d(t) * q;
-        poses.push_back(pose);
-    }
-    return poses;
-}
 
 /// The largest distance in metres of a frame's points from the truth, at every 37th pixel.
 double worst_error_m(const SourceFrame& frame, const Eigen::Isometry3d& T_s_c,

@@ -157,7 +157,7 @@ TEST(Rasteriser, BothFacesAreLitAndNothingIsBlack) {
     const auto color = [&] {
         const Raster raster = drawn(mesh);
         std::vector<std::uint8_t> rgb;
-        shade_raster(raster, mesh, Isometry3d::Identity(), camera, rgb);
+        shade_raster(raster, mesh, Isometry3d::Identity(), Eigen::Matrix3d::Identity(), camera, rgb);
         return rgb;
     };
     const std::vector<std::uint8_t> front = color();

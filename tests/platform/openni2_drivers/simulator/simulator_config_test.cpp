@@ -75,6 +75,26 @@ TEST(SimulatorConfig, ReadsTheKeysOfAMovingCamera) {
     EXPECT_EQ(parse_simulator_uri("wall?motion=orbit").scene, SimulatedScene::wall);
 }
 
+TEST(SimulatorConfig, ReadsTheKeysOfAnObjectAndOfAKnock) {
+    const SimulatorConfig plain = parse_simulator_uri("object");
+    EXPECT_EQ(plain.scene, SimulatedScene::object);
+    EXPECT_TRUE(plain.mesh_path.empty());
+    EXPECT_FALSE(plain.fingers);
+    EXPECT_DOUBLE_EQ(plain.size_m, 0.25);
+    EXPECT_DOUBLE_EQ(plain.knock_deg, 0.0);
+    EXPECT_DOUBLE_EQ(plain.knock_mm, 0.0);
+    const SimulatorConfig config = parse_simulator_uri(
+        "object?mesh=/tmp/a.obj&size_m=0.3&grip=fingers&knock_s=7.5&knock_deg=4&knock_mm=30&masks=/tmp/m");
+    EXPECT_EQ(config.mesh_path, "/tmp/a.obj");
+    EXPECT_DOUBLE_EQ(config.size_m, 0.3);
+    EXPECT_TRUE(config.fingers);
+    EXPECT_DOUBLE_EQ(config.knock_s, 7.5);
+    EXPECT_DOUBLE_EQ(config.knock_deg, 4.0);
+    EXPECT_DOUBLE_EQ(config.knock_mm, 30.0);
+    EXPECT_FALSE(parse_simulator_uri("object?grip=none").fingers);
+    EXPECT_DOUBLE_EQ(parse_simulator_uri("bowl?knock_deg=5").knock_deg, 5.0);
+}
+
 TEST(SimulatorConfig, RefusesKeysOfOtherScenes) {
     using testing::AllOf;
     using testing::HasSubstr;
@@ -83,14 +103,21 @@ TEST(SimulatorConfig, RefusesKeysOfOtherScenes) {
     EXPECT_THAT(refusal("flat?motion=sweep"), HasSubstr("key motion is not for the scene flat"));
     EXPECT_THAT(refusal("wall?hands=1"), HasSubstr("key hands is not for the scene wall"));
     EXPECT_THAT(refusal("room?truth=/tmp/t"), HasSubstr("key truth is not for the scene room"));
+    EXPECT_THAT(refusal("object?motion=still"), HasSubstr("key motion is not for the scene object"));
+    EXPECT_THAT(refusal("bowl?mesh=/tmp/a.obj"), HasSubstr("key mesh is not for the scene bowl"));
+    EXPECT_THAT(refusal("room?masks=/tmp"), HasSubstr("key masks is not for the scene room"));
+    EXPECT_THAT(refusal("object?grip=tongs"), AllOf(HasSubstr("none or fingers"), HasSubstr("'tongs'")));
+    EXPECT_THAT(refusal("object?size_m=3"), AllOf(HasSubstr("size_m"), HasSubstr("0.02 to 0.5")));
+    EXPECT_THAT(refusal("flat?knock_deg=-1"), AllOf(HasSubstr("knock_deg"), HasSubstr("0 to 180")));
     EXPECT_THAT(refusal("room?poses="), HasSubstr("key poses needs a path"));
 }
 
 TEST(SimulatorConfig, RefusalsNameTheKeyAndTheRange) {
     using testing::AllOf;
     using testing::HasSubstr;
-    EXPECT_THAT(refusal("moon"),
-                AllOf(HasSubstr("moon"), HasSubstr("flat, curved, cluttered, bowl, mixed, room or wall")));
+    EXPECT_THAT(
+        refusal("moon"),
+        AllOf(HasSubstr("moon"), HasSubstr("flat, curved, cluttered, bowl, mixed, room, wall or object")));
     EXPECT_THAT(refusal("flat?fingers=2"), AllOf(HasSubstr("fingers"), HasSubstr("seed, hands, frames")));
     EXPECT_THAT(refusal("flat?hands=3"), AllOf(HasSubstr("hands"), HasSubstr("0 to 2"), HasSubstr("'3'")));
     EXPECT_THAT(refusal("flat?height=0.2"), AllOf(HasSubstr("height"), HasSubstr("0.5 to 1.6")));

@@ -1,32 +1,11 @@
 #include "platform/openni2_drivers/simulator/triangle_mesh.hpp"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
-#include <map>
+
+#include "tests/platform/openni2_drivers/simulator/closed_mesh.hpp"
 
 namespace touchstone::sim {
 namespace {
-
-/// Sum of the signed tetrahedra to the origin: positive where triangles run counter-clockwise seen from
-/// outside.
-double volume_m3(const TriangleMesh& mesh) {
-    double volume = 0.0;
-    for (const auto& [a, b, c] : mesh.triangles)
-        volume += mesh.vertices[a].cast<double>().dot(
-                      mesh.vertices[b].cast<double>().cross(mesh.vertices[c].cast<double>())) /
-                  6.0;
-    return volume;
-}
-
-/// Every directed edge once, its reverse once.
-bool is_closed(const TriangleMesh& mesh) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    for (const auto& t : mesh.triangles)
-        for (std::size_t i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
-    for (const auto& [edge, count] : edges)
-        if (count != 1 || edges.count({edge.second, edge.first}) == 0) return false;
-    return true;
-}
 
 const Placement tilted{{0.3F, -0.2F, 1.0F},
                        Eigen::AngleAxisf(0.7F, Vec3(1, 2, 3).normalized()).toRotationMatrix()};

@@ -1,0 +1,106 @@
+#include "platform/openni2_drivers/simulator/object_mesh.hpp"
+
+#include <Eigen/Geometry>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <cmath>
+#include <fmt/core.h>
+#include <system_error>
+
+#include "platform/system/error.hpp"
+
+namespace touchstone::sim {
+namespace {
+
+const Vec3 clay(0.72F, 0.62F, 0.50F);
+
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string_view reason) {
+    throw Error(ExitStatus::bad_data, fmt::format("mesh file {}: {}", path.string(), reason));
+}
+
+void append(TriangleMesh& mesh, const aiMesh& part) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (unsigned int i = 0; i < part.mNumVertices; ++i) {
+        const aiVector3D& p = part.mVertices[i];
+        mesh.vertices.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
+    }
+    for (unsigned int i = 0; i < part.mNumFaces; ++i) {
+        const aiFace& face = part.mFaces[i];
+        if (face.mNumIndices != 3) continue;
+        mesh.triangles.push_back(
+            {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+        mesh.albedo.push_back(clay);
+    }
+}
+
+}  // namespace
+
+TriangleMesh read_mesh(const std::filesystem::path& path) {
+    std::error_code code;
+    if (!std::filesystem::exists(path, code))
+        throw Error(ExitStatus::no_input, fmt::format("no mesh file {}", path.string()));
+    if (!std::filesystem::is_regular_file(path, code)) refuse(path, "is not a file");
+    Assimp::Importer importer;
+    // Corners that differ only in what we do not use are one.
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TEXCOORDS |
+                                                            aiComponent_COLORS |
+                                                            aiComponent_TANGENTS_AND_BITANGENTS);
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    const aiScene* scene = importer.ReadFile(
+        path.string(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
+                           aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
+    if (scene == nullptr) {
+        std::string reason = importer.GetErrorString();
+        reason.resize(std::min(reason.find('\n'), reason.size()));
+        refuse(path, reason.empty() ? "is not a mesh" : reason);
+    }
+    TriangleMesh mesh;
+    for (unsigned int i = 0; i < scene->mNumMeshes; ++i) append(mesh, *scene->mMeshes[i]);
+    if (mesh.triangles.empty()) refuse(path, "has no triangles");
+    for (const Vec3& vertex : mesh.vertices)
+        if (!vertex.allFinite()) refuse(path, "has a corner that is not a number");
+    return mesh;
+}
+
+TriangleMesh make_bowl() {
+    constexpr float pi = std::numbers::pi_v<float>;
+    constexpr float outer_m = 0.125F, inner_m = 0.119F, lip_m = 0.003F;
+    constexpr float squash = 0.64F;  // height over radius
+    constexpr int steps = 32;
+    // From the pole under the foot, up outside, over the lip, down inside.
+    std::vector<Eigen::Vector2f> profile{{0.0F, -squash * outer_m}, {0.036F, -squash * outer_m}};
+    profile.insert(profile.end(),
+                   {{0.038F, -squash * outer_m - 0.008F}, {0.046F, -squash * outer_m - 0.008F}});
+    const float foot_rad = std::acos(0.050F / outer_m);
+    for (int i = 0; i <= steps; ++i) {
+        const float angle = -foot_rad * (1.0F - static_cast<float>(i) / steps);
+        profile.emplace_back(outer_m * std::cos(angle), squash * outer_m * std::sin(angle));
+    }
+    for (int i = 1; i < 8; ++i) {
+        const float angle = pi * static_cast<float>(i) / 8.0F;
+        profile.emplace_back(inner_m + lip_m + lip_m * std::cos(angle), lip_m * std::sin(angle));
+    }
+    for (int i = 0; i <= steps; ++i) {
+        const float angle = -0.5F * pi * static_cast<float>(i) / steps;
+        const float inner_height_m = squash * outer_m - 0.006F;
+        profile.emplace_back(i == steps ? 0.0F : inner_m * std::cos(angle), inner_height_m * std::sin(angle));
+    }
+    TriangleMesh mesh;
+    add_revolved(mesh, Vec3::Zero(), profile, 96, {0.50F, 0.62F, 0.72F});
+    for (Vec3& vertex : mesh.vertices) vertex = Vec3(vertex.x(), vertex.z(), -vertex.y());
+    return mesh;
+}
+
+void fit(TriangleMesh& mesh, double size_m) {
+    Eigen::AlignedBox3d box;
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle) box.extend(mesh.vertices[corner].cast<double>());
+    const double longest = box.sizes().maxCoeff();
+    if (!(longest > 0.0)) throw Error(ExitStatus::bad_data, "mesh: all corners are one point");
+    for (Vec3& vertex : mesh.vertices)
+        vertex = (size_m / longest * (vertex.cast<double>() - box.center())).cast<float>();
+}
+
+}  // namespace touchstone::sim
