@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "pipeline/camera_tracking.hpp"
+#include "pipeline/color_integration.hpp"
 #include "pipeline/depth_map_conversion.hpp"
+#include "pipeline/keyframes.hpp"
 #include "pipeline/raycasting.hpp"
 #include "pipeline/sample_weights.hpp"
 #include "pipeline/volumetric_integration.hpp"
@@ -18,6 +21,7 @@ struct ReconstructionConfig {
     CameraTrackingConfig tracking;
     VolumeConfig volume;
     SampleWeightConfig weights;
+    ColorIntegrationConfig color;
     bool use_color = true;  ///< brightness helps to track, where there is a colour picture
 };
 
@@ -27,6 +31,11 @@ struct ReconstructionFrame {
     RigidTransform T_g_c = RigidTransform::Identity();
     bool fused = false;
 };
+
+/// Where a cube of this side lies for a camera that is at its first frame: for a room, the camera starts near
+/// the middle of the front face; a cube of less than 1.5 m lies around the nearest thing in the middle of the
+/// view (an object that is turned by hand). Nothing while the view shows nothing.
+std::optional<RigidTransform> place_camera(const DepthView& view, float side_m);
 
 /// Figures 2 and 11 for a moving camera: track against the growing model, fuse, predict.
 class Reconstruction {
@@ -42,22 +51,31 @@ class Reconstruction {
     const SurfacePrediction& prediction() const { return prediction_; }
     const LiveMaps& live() const { return live_; }
     const RigidTransform& T_g_c() const { return T_g_c_; }
+    const KeyframeDatabase& keyframes() const { return keyframes_; }
     /// Stages by the paper's names, and "frame" for all of process().
     const StageTimes& stage_times() const { return times_; }
 
   private:
     void track(bool has_intensity, ReconstructionFrame& frame);
-    void fuse();
+    void mark_outside(const RigidTransform& T_g_c);
+    void fuse(std::span<const std::uint8_t> color_rgb);
+    void predict();
 
     const Device* device_;
     ReconstructionConfig config_;
+    Intrinsics intrinsics_;
     StageTimes times_;
     DepthMapConversion conversion_;
     CameraTracking tracking_;
     TsdfVolume volume_;
     SampleWeighting weighting_;
     VolumetricIntegration integration_;
+    std::optional<ColorIntegration> color_;
     Raycasting raycasting_;
+    Program bounds_program_;
+    Kernel mark_outside_;
+    Buffer<std::uint8_t> outside_;  // live pixels that are not of the volume
+    KeyframeDatabase keyframes_;
     LiveMaps live_;
     SurfacePrediction prediction_;
     IntensityMaps live_intensity_, model_intensity_;
