@@ -92,10 +92,10 @@ void fill(const Sides& sides, const Box& box, std::int32_t number, int width_px,
         float* depth = raster.depth_m.data() + row;
         std::int32_t* triangle = raster.triangle.data() + row;
         for (int u = begin; u < end; ++u) {
-            const auto inverse_z = static_cast<float>(sides.inverse_z.a * u + row_z);
+            const double inverse_z = sides.inverse_z.a * u + row_z;
             const bool inside = e0.a * u + row0 >= 0.0 && e1.a * u + row1 >= 0.0 && e2.a * u + row2 >= 0.0;
-            if (!inside || inverse_z <= depth[u] || inverse_z > static_cast<float>(1.0 / near_m)) continue;
-            depth[u] = inverse_z;
+            if (!inside || inverse_z > 1.0 / near_m || static_cast<float>(inverse_z) <= depth[u]) continue;
+            depth[u] = static_cast<float>(inverse_z);
             triangle[u] = number;
         }
     }

@@ -74,6 +74,37 @@ TEST(Knock, ATableIsSeenFromWhereTheCameraIsThen) {
     EXPECT_GT(missed_m, 0.02) << "from where the camera was, it is another table";
 }
 
+TEST(Knock, ColoursAndHandsAreSeenFromThereToo) {
+    const std::string uri = "flat?hands=1&empty=0&seed=8&frames=40&noise=0";
+    const TemporaryFolder folder;
+    const std::vector<SourceFrame> calm = play(uri, true);
+    const std::vector<SourceFrame> knocked =
+        play(uri + "&knock_s=1&knock_deg=4&knock_mm=40&poses=" + (folder / "p.txt").string(), true);
+    EXPECT_EQ(calm[29].depth_mm, knocked[29].depth_mm);
+    EXPECT_EQ(calm[29].color_rgb, knocked[29].color_rgb);
+    int other_bytes = 0;
+    for (std::size_t i = 0; i < calm[30].color_rgb.size(); ++i)
+        other_bytes += calm[30].color_rgb[i] != knocked[30].color_rgb[i];
+    EXPECT_GT(other_bytes, 300000) << "the grain of the wood is elsewhere";
+    // The highest point of the hand is where it was: 1 mm of rounding, and of other pixels.
+    const std::vector<TimedPose> poses = read_poses(folder / "p.txt");
+    const auto highest = [](const SourceFrame& frame, const Isometry3d& T_s_c) {
+        Eigen::Vector3d top = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < frame.depth_mm.size(); ++i) {
+            const double z_m = 1e-3 * frame.depth_mm[i];
+            const Eigen::Vector3d p_s =
+                T_s_c * Eigen::Vector3d(z_m * (static_cast<double>(i % 640) - 319.5) / 575.8,
+                                        z_m * (static_cast<double>(i / 640) - 239.5) / 575.8, z_m);
+            if (p_s.z() > top.z() && p_s.head<2>().norm() < 0.25) top = p_s;
+        }
+        return top;
+    };
+    const Eigen::Vector3d before = highest(calm[39], poses[0].T_s_c);
+    const Eigen::Vector3d after = highest(knocked[39], poses[39].T_s_c);
+    EXPECT_GT(before.z(), 0.02);
+    EXPECT_NEAR(before.z(), after.z(), 0.002);
+}
+
 TEST(Knock, TheHandsTruthIsInTheCameraFrameOfTheTime) {
     const TemporaryFolder folder;
     play("flat?hands=1&frames=240&noise=0&empty=0&seed=8&knock_s=2&knock_deg=5&knock_mm=50&poses=" +

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 
 #include "platform/image/png_file.hpp"
+#include "platform/openni2_drivers/simulator/holding_hands.hpp"
 #include "platform/openni2_drivers/simulator/mesh_distance.hpp"
 #include "platform/openni2_drivers/simulator/mesh_source.hpp"
 #include "platform/openni2_drivers/simulator/rasteriser.hpp"
@@ -22,30 +24,55 @@ Eigen::Vector3d point_c(std::size_t pixel, float z_m) {
             z * (static_cast<double>(pixel / 640) - 239.5) / 575.8, z};
 }
 
-TEST(ObjectView, ThePoseIsTheCamerasInTheFrameOfTheTruth) {
-    const SimulatorConfig config = parse_simulator_uri("object?grip=fingers&size_m=0.2&seed=4");
-    const MeshDistance truth(truth_mesh(config));
-    const auto view = make_object_view(config);
+/// Distance of a point from the axis of a part, less its larger radius: 0 or less on and in the part.
+double beyond_m(const Eigen::Vector3d& point, const RoundCone& cone) {
+    const Eigen::Vector3d a = cone.a.cast<double>();
+    const Eigen::Vector3d along = cone.b.cast<double>() - a;
+    const double share = std::clamp(along.dot(point - a) / along.squaredNorm(), 0.0, 1.0);
+    return (a + share * along - point).norm() - static_cast<double>(std::max(cone.radius_a, cone.radius_b));
+}
+
+/// Every 7th pixel lies on the object, a hand or the wall, in the frame of each.
+void expect_all_in_place(const SimulatorConfig& config, int frame) {
+    const TriangleMesh mesh = truth_mesh(config);
+    const MeshDistance truth(mesh);
+    const TurnedObject turned(config.seed);
+    const HoldingHands hands(mesh, turned, config.seed);
     Picture picture;
-    for (const int frame : {0, 37, 203, 411, 600, 700}) {
-        const Eigen::Isometry3d T_o_c = view->draw(frame, picture);
-        int on_object = 0, on_hands = 0, on_wall = 0;
-        for (std::size_t i = 0; i < picture.depth_m.size(); i += 7) {
-            if (picture.depth_m[i] > wall_from_m) {
-                EXPECT_NEAR(picture.depth_m[i], 1.8F, 1e-5F);
-                ++on_wall;
-            } else if (picture.part[i] != 0) {
-                ++on_hands;
-            } else {
-                EXPECT_LT(truth.distance_m(T_o_c * point_c(i, picture.depth_m[i])), 1e-6);
-                EXPECT_LT(picture.depth_m[i], 0.75F + 0.15F);
-                ++on_object;
-            }
+    const Eigen::Isometry3d T_o_c = make_object_view(config)->draw(frame, picture);
+    const int time = TurnedObject::folded(frame);
+    const Eigen::Isometry3d T_w_c = turned.at(time) * T_o_c;
+    int on_object = 0, on_hands = 0, on_wall = 0;
+    for (std::size_t i = 0; i < picture.depth_m.size(); i += 7) {
+        const Eigen::Vector3d p_w = T_w_c * point_c(i, picture.depth_m[i]);
+        if (picture.part[i] != 0) {
+            const Hand hand = hands.at(picture.owner[i], time);
+            EXPECT_LT(beyond_m(p_w, hand.parts[picture.part[i] - 1U].cone), 1e-5);
+            ++on_hands;
+        } else if (p_w.y() > 1.5) {
+            EXPECT_NEAR(p_w.y(), 1.8, 1e-5);
+            ++on_wall;
+        } else {
+            EXPECT_LT(truth.distance_m(T_o_c * point_c(i, picture.depth_m[i])), 1e-6);
+            EXPECT_LT((p_w - turned.at(time).translation()).norm(), 0.2);
+            ++on_object;
         }
-        EXPECT_GT(on_object, 600);
-        EXPECT_GT(on_hands, 600);
-        EXPECT_GT(on_wall, 30000);
     }
+    EXPECT_GT(on_object, 600);
+    EXPECT_GT(on_hands, 600);
+    EXPECT_GT(on_wall, 30000);
+}
+
+TEST(ObjectView, ThePoseIsTheCamerasInTheFrameOfTheTruth) {
+    for (const int frame : {0, 37, 203, 411, 600, 700})
+        expect_all_in_place(parse_simulator_uri("object?grip=fingers&size_m=0.2&seed=4"), frame);
+}
+
+TEST(ObjectView, AKnockedCameraSeesTheSameThings) {
+    const SimulatorConfig config =
+        parse_simulator_uri("object?grip=fingers&knock_s=1&knock_deg=5&knock_mm=50&seed=3");
+    expect_all_in_place(config, 29);
+    expect_all_in_place(config, 30);
 }
 
 TEST(ObjectView, WithoutHandsItFloats) {

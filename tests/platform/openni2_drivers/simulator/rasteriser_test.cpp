@@ -1,5 +1,6 @@
 #include "platform/openni2_drivers/simulator/rasteriser.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -115,6 +116,20 @@ TEST(Rasteriser, SeesWhatRaysMeetAlsoAroundTheNearPlane) {
     }
     // Rays within rounding of a triangle's edge may go either way.
     EXPECT_LE(different, 2) << "of " << tested;
+}
+
+TEST(Rasteriser, NearerThanFiftyMillimetresNothingIsSeen) {
+    for (const bool slanting : {false, true}) {
+        TriangleMesh mesh;
+        const float from_m = slanting ? -0.45F : 0.049F;
+        add_quad(mesh, {-1.0F, -1.0F, from_m}, {2.0F, 0.0F, slanting ? 1.0F : 0.0F}, {0.0F, 2.0F, 0.0F},
+                 Vec3::Ones());
+        add_quad(mesh, {-5.0F, -5.0F, 2.0F}, {10.0F, 0.0F, 0.0F}, {0.0F, 10.0F, 0.0F}, Vec3::Ones());
+        const std::vector<float> depth_m = drawn(mesh).depth_m;
+        const float least_m = *std::min_element(depth_m.begin(), depth_m.end());
+        EXPECT_NEAR(least_m, slanting ? 0.05F : 2.0F, 1e-3F);
+        EXPECT_GE(least_m, 0.05F - 1e-8F);
+    }
 }
 
 TEST(Rasteriser, TheNearerOfTwoFacesIsSeenWhateverTheOrder) {
