@@ -1,0 +1,3 @@
+touchstone_test(tracking_kernel_tests
+    SOURCES camera_tracking_test.cpp image_pyramid_test.cpp
+    LIBRARIES touchstone_pipeline)
