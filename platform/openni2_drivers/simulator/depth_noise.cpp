@@ -229,8 +229,7 @@ void DepthNoise::only_drift(double time_s, std::vector<std::uint16_t>& depth_mm)
     const std::vector<float>& drift = drift_.at(time_s);
     for (std::size_t i = 0; i < depth_mm.size(); ++i) {
         const float disparity = disparity_[i] + drift[i % width_px] / steps_per_px;
-        depth_mm[i] =
-            disparity_[i] > 0.0F ? whole_mm(1000.0F * disparity_m_px_ / disparity) : std::uint16_t{0};
+        depth_mm[i] = whole_mm(1000.0F * disparity_m_px_ / disparity);
     }
 }
 

@@ -162,6 +162,14 @@ TEST(DepthNoise, SeedAndFrameDecideEverything) {
     EXPECT_NE(a, b);
 }
 
+TEST(DepthNoise, WhatIsTooFarForSixteenBitsIsNoReading) {
+    DepthNoise noise(3, focal_px, false, false);
+    std::vector<std::uint16_t> out;
+    noise.apply(wall(70.0F, 300, 60.0F), 0, 0.0, out);
+    EXPECT_EQ(out[middle_row + 100], 0);
+    EXPECT_EQ(out[middle_row + 400], 60000);
+}
+
 TEST(DepthNoise, WhereNothingIsSeenThereIsNoReading) {
     const float nothing_m = std::numeric_limits<float>::infinity();
     for (const bool noisy : {false, true})
