@@ -108,6 +108,7 @@ TEST_F(HoldingHandsOnABowl, ArmsReachOutOfThePicture) {
         EXPECT_GT(std::abs(elbow.x() / elbow.y()), 320.0F / 575.8F + 0.1F);
     }
     EXPECT_EQ(hands_.shape(0).skin, hands_.shape(1).skin) << "one person";
+    EXPECT_EQ(hands_.shape(0).sleeve, hands_.shape(1).sleeve);
 }
 
 }  // namespace

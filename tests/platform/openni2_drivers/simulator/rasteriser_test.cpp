@@ -119,15 +119,16 @@ TEST(Rasteriser, SeesWhatRaysMeetAlsoAroundTheNearPlane) {
 }
 
 TEST(Rasteriser, NearerThanFiftyMillimetresNothingIsSeen) {
-    for (const bool slanting : {false, true}) {
+    // A wall at 2 m, and before it a surface through (0, 0, 50 mm), or square to the axis at 49 mm.
+    for (const float rise : {0.0F, 0.3F}) {
+        const float from_m = rise > 0.0F ? 0.05F - 2.0F * rise : 0.049F;
         TriangleMesh mesh;
-        const float from_m = slanting ? -0.45F : 0.049F;
-        add_quad(mesh, {-1.0F, -1.0F, from_m}, {2.0F, 0.0F, slanting ? 1.0F : 0.0F}, {0.0F, 2.0F, 0.0F},
+        add_quad(mesh, {-1.0F, -1.0F, from_m}, {2.0F, 0.0F, 2.0F * rise}, {0.0F, 2.0F, 2.0F * rise},
                  Vec3::Ones());
         add_quad(mesh, {-5.0F, -5.0F, 2.0F}, {10.0F, 0.0F, 0.0F}, {0.0F, 10.0F, 0.0F}, Vec3::Ones());
         const std::vector<float> depth_m = drawn(mesh).depth_m;
         const float least_m = *std::min_element(depth_m.begin(), depth_m.end());
-        EXPECT_NEAR(least_m, slanting ? 0.05F : 2.0F, 1e-3F);
+        EXPECT_NEAR(least_m, rise > 0.0F ? 0.05F : 2.0F, 1e-3F);
         EXPECT_GE(least_m, 0.05F - 1e-8F);
     }
 }
