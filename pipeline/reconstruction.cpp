@@ -147,7 +147,7 @@ void Reconstruction::fuse(std::span<const std::uint8_t> color_rgb) {
         device_->finish();
         return updated;
     }();
-    empty_ = false;
+    empty_ = volume_.bricks_in_use() == 0;
     if (color_rgb.empty()) return;
     const StageTimer timer(times_, "colour");
     if (!color_) color_.emplace(*device_, config_.color, intrinsics_);

@@ -142,9 +142,8 @@ TEST_P(CameraTrackingSums, OfNothingAreZero) {
 INSTANTIATE_TEST_SUITE_P(Sizes, CameraTrackingSums, testing::Values(std::pair{96, 80}, std::pair{70, 50}));
 
 /// No bias by half pixels: an identical view solves to no movement at each level. Half a pixel of the
-/// coarsest level would be 15 mm here. The mean of four depths of a slanted plane is not the depth at their
-/// mean place, by z (tilt / f)^2 / 8: 0.01 mm and 0.001 degrees are left of a smooth scene, more where walls
-/// meet.
+/// coarsest level would be 15 mm or half a degree here. What is left is of the pixels where two walls meet,
+/// whose mean depth lies before both: 0.2 mm and 0.02 degrees at the coarsest level.
 TEST(CameraTrackingKernels, AnIdenticalViewSolvesToNoMovementAtEachLevel) {
     for (const auto& [width, height] : {std::pair{160, 128}, {150, 110}}) {
         const Intrinsics k = test::small_camera(width, height);
