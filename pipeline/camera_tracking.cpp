@@ -11,6 +11,9 @@ namespace touchstone {
 namespace {
 
 constexpr std::size_t levels = 3;
+/// A later guess must be: what the data do not constrain stays as in the first one, not as noise would have
+/// it.
+constexpr double clearly_better = 0.95;
 
 /// Pixel x of the half-sized picture is at 2 x + 0.5 of the source.
 Intrinsics half_sized(const Intrinsics& k) {
@@ -178,7 +181,7 @@ RigidTransform CameraTracking::best_guess(const SurfacePrediction& model,
     double least = std::numeric_limits<double>::max();
     for (const RigidTransform& guess : guesses) {
         const double value = misfit(sum(model, guess, static_cast<int>(levels) - 1));
-        if (value >= least) continue;
+        if (value >= clearly_better * least) continue;
         least = value;
         best = &guess;
     }
@@ -197,8 +200,7 @@ void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair*
             sums.b += of_intensity.b;
         }
         ++result.iterations;
-        const TwistSolution solution =
-            solve_twist(sums, lever_m, static_cast<double>(config_.min_eigenvalue));
+        const TwistSolution solution = solve_twist(sums, lever_m, static_cast<double>(min_eigenvalue_));
         result.held_directions = solution.held;
         result.eigenvalues = solution.eigenvalues;
         result.T_p_c = orthonormal(twist_about(solution.twist, centre) * result.T_p_c);
@@ -209,8 +211,10 @@ void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair*
 
 TrackingResult CameraTracking::track(const LiveMaps& live, const SurfacePrediction& model,
                                      std::span<const RigidTransform> guesses, const IntensityPair* intensity,
-                                     const Buffer<std::uint8_t>* excluded) {
+                                     const Buffer<std::uint8_t>* excluded, int model_frames) {
     TrackingResult result;
+    min_eigenvalue_ = std::max(config_.min_eigenvalue,
+                               config_.young_min_eigenvalue / static_cast<float>(std::max(model_frames, 1)));
     prepare(live, excluded);
     result.T_p_c = best_guess(model, guesses);
     for (int level = static_cast<int>(levels) - 1; level >= 0; --level)

@@ -26,13 +26,16 @@ struct CameraTrackingConfig {
     SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< Kinect v1, Nguyen et al. 2012
     std::array<TrackingLevel, 3> levels{TrackingLevel{4, 0.06f, 8.0f}, TrackingLevel{6, 0.10f, 16.0f},
                                         TrackingLevel{10, 0.20f, 40.0f}};  ///< fine to coarse
-    float max_normal_angle_deg = 35.0f;
+    float max_normal_angle_deg = 60.0f;
     float huber_sigmas = 1.5f;
-    float intensity_sigma = 0.05f;  ///< of brightness 0..1 between two frames
+    float intensity_sigma = 0.07f;  ///< of brightness 0..1 between two frames
     float half_sample_gap_per_m = 0.03f;
     float normal_gap_per_m = 0.03f;
-    float min_eigenvalue = 0.002f;  ///< directions below it are held
-    float stop_step_m = 2e-5f;      ///< an iteration that moves less ends its level
+    float min_eigenvalue = 0.012f;  ///< directions below it are held
+    /// The noise of a young model's normals looks like a constraint, and averages away: of so many frames,
+    /// directions below this divided by their number are held, too.
+    float young_min_eigenvalue = 0.09f;
+    float stop_step_m = 2e-5f;  ///< an iteration that moves less ends its level
 
     float poor_inlier_share = 0.5f, lost_inlier_share = 0.25f;  ///< of the pixels that have a model
     float min_model_share = 0.10f;                              ///< of the live pixels; less is lost
@@ -71,11 +74,12 @@ class CameraTracking {
     CameraTracking(const Device& device, const CameraTrackingConfig& config, const Intrinsics& intrinsics);
 
     /// `guesses` are poses of the live camera in the prediction's camera frame p; the one that fits best at
-    /// the coarsest level is refined. `intensity`: null, or what both cameras saw. `excluded`: null, or a map
-    /// whose pixels that are not 0 are left out.
+    /// the coarsest level is refined, the first where none is clearly better. `intensity`: null, or what both
+    /// cameras saw. `excluded`: null, or a map whose pixels that are not 0 are left out. `model_frames`:
+    /// fused so far.
     TrackingResult track(const LiveMaps& live, const SurfacePrediction& model,
                          std::span<const RigidTransform> guesses, const IntensityPair* intensity = nullptr,
-                         const Buffer<std::uint8_t>* excluded = nullptr);
+                         const Buffer<std::uint8_t>* excluded = nullptr, int model_frames = 1000);
 
     /// Brightness of width x height pixels, 3 bytes each.
     void convert(std::span<const std::uint8_t> rgb, IntensityMaps& maps);
@@ -113,6 +117,7 @@ class CameraTracking {
     Buffer<float> sums_;
     Buffer<std::uint8_t> rgb_;
     float centre_depth_m_ = 1.0f;
+    float min_eigenvalue_ = 0.0f;
 };
 
 /// State and reason from the figures of a result.

@@ -99,7 +99,7 @@ ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<con
             if (has_intensity) tracking_.convert(color_rgb, live_intensity_);
             device_->finish();
         }
-        if (empty_)
+        if (fused_frames_ == 0)
             frame.tracking.state = TrackingState::good;
         else
             track(has_intensity, frame);
@@ -123,7 +123,8 @@ void Reconstruction::track(bool has_intensity, ReconstructionFrame& frame) {
     const IntensityPair intensity{live_intensity_, model_intensity_};
     mark_outside(T_g_p_);
     frame.tracking = tracking_.track(live_, prediction_, guesses,
-                                     has_intensity && model_has_intensity_ ? &intensity : nullptr, &outside_);
+                                     has_intensity && model_has_intensity_ ? &intensity : nullptr, &outside_,
+                                     fused_frames_);
     judge_step(config_.tracking, frame.tracking.T_p_c, frame.tracking);
     if (frame.tracking.state == TrackingState::lost) {
         velocity_ = RigidTransform::Identity();
@@ -147,7 +148,7 @@ void Reconstruction::fuse(std::span<const std::uint8_t> color_rgb) {
         device_->finish();
         return updated;
     }();
-    empty_ = volume_.bricks_in_use() == 0;
+    if (volume_.bricks_in_use() > 0) ++fused_frames_;
     if (color_rgb.empty()) return;
     const StageTimer timer(times_, "colour");
     if (!color_) color_.emplace(*device_, config_.color, intrinsics_);

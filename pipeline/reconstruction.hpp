@@ -83,7 +83,7 @@ class Reconstruction {
     RigidTransform T_g_c_;     // of the last frame that was tracked
     RigidTransform T_g_p_;     // of the prediction
     RigidTransform velocity_;  // T_p_c of the last step
-    bool empty_ = true;
+    int fused_frames_ = 0;
 };
 
 }  // namespace touchstone
