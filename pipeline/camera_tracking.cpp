@@ -11,6 +11,7 @@ namespace touchstone {
 namespace {
 
 constexpr std::size_t levels = 3;
+constexpr float least_spread_m = 0.01f;
 /// A later guess must be: what the data do not constrain stays as in the first one, not as noise would have
 /// it.
 constexpr double clearly_better = 0.95;
@@ -34,6 +35,29 @@ float sigma_z_m(const SensorNoise& noise, float z_m) {
 
 float angle_deg(const RigidTransform& T) {
     return Eigen::AngleAxisf(T.linear()).angle() * 180.0f / std::numbers::pi_v<float>;
+}
+
+/// Middle and spread of what a depth map shows.
+ViewExtent measure_extent(const Buffer<float>& depth_m, const Intrinsics& k, const MapShape& shape) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double squares = 0.0, count = 0.0;
+    const auto map = depth_m.map_read();
+    for (int y = 0; y < k.height_px; ++y) {
+        for (int x = 0; x < k.width_px; ++x) {
+            const float z = map[map_index(shape, x, y)];
+            if (z <= 0.0f) continue;
+            const Eigen::Vector3d v = Eigen::Vector3f((static_cast<float>(x) - k.cx_px) / k.fx_px * z,
+                                                      (static_cast<float>(y) - k.cy_px) / k.fy_px * z, z)
+                                          .cast<double>();
+            sum += v;
+            squares += v.squaredNorm();
+            count += 1.0;
+        }
+    }
+    if (count < 1.0) return {};
+    const Eigen::Vector3d mean = sum / count;
+    const double spread_m = std::sqrt(std::max(squares / count - mean.squaredNorm(), 0.0));
+    return {mean.cast<float>(), std::max(static_cast<float>(spread_m), least_spread_m)};
 }
 
 /// Adds what one row of pixels gave.
@@ -112,13 +136,14 @@ void CameraTracking::prepare(const LiveMaps& live, const Buffer<std::uint8_t>* e
                            level.intrinsics, config_.normal_gap_per_m);
         source = &level.depth_m;
     }
+    extent_ = measure_extent(levels_.back().depth_m, levels_.back().intrinsics, levels_.back().shape);
 }
 
 AlignmentParams CameraTracking::params(int level) const {
     const TrackingLevel& limits = config_.levels[static_cast<std::size_t>(level)];
     AlignmentParams params{};
     params.noise = config_.noise;
-    params.centre_p = {0.0f, 0.0f, centre_depth_m_, 0.0f};
+    params.centre_p = {extent_.centre_c_m.x(), extent_.centre_c_m.y(), extent_.centre_c_m.z(), 0.0f};
     params.max_distance_m = limits.max_distance_m;
     params.min_normal_cos = std::cos(config_.max_normal_angle_deg * std::numbers::pi_v<float> / 180.0f);
     params.huber_sigmas = config_.huber_sigmas;
@@ -190,8 +215,7 @@ RigidTransform CameraTracking::best_guess(const SurfacePrediction& model,
 
 void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair* intensity, int level,
                             TrackingResult& result) {
-    const Eigen::Vector3f centre(0.0f, 0.0f, centre_depth_m_);
-    const double lever_m = 0.5 * static_cast<double>(centre_depth_m_);
+    const double lever_m = static_cast<double>(extent_.spread_m);
     for (int i = 0; i < config_.levels[static_cast<std::size_t>(level)].iterations; ++i) {
         AlignmentSums sums = sum(model, result.T_p_c, level);
         if (intensity != nullptr) {
@@ -203,7 +227,7 @@ void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair*
         const TwistSolution solution = solve_twist(sums, lever_m, static_cast<double>(min_eigenvalue_));
         result.held_directions = solution.held;
         result.eigenvalues = solution.eigenvalues;
-        result.T_p_c = orthonormal(twist_about(solution.twist, centre) * result.T_p_c);
+        result.T_p_c = orthonormal(twist_about(solution.twist, extent_.centre_c_m) * result.T_p_c);
         const double step_m = solution.twist.head<3>().norm() * lever_m + solution.twist.tail<3>().norm();
         if (step_m < static_cast<double>(config_.stop_step_m)) break;
     }

@@ -31,7 +31,7 @@ struct CameraTrackingConfig {
     float intensity_sigma = 0.07f;  ///< of brightness 0..1 between two frames
     float half_sample_gap_per_m = 0.03f;
     float normal_gap_per_m = 0.03f;
-    float min_eigenvalue = 0.012f;  ///< directions below it are held
+    float min_eigenvalue = 0.008f;  ///< directions below it are held
     /// The noise of a young model's normals looks like a constraint, and averages away: of so many frames,
     /// directions below this divided by their number are held, too.
     float young_min_eigenvalue = 0.09f;
@@ -66,6 +66,13 @@ struct IntensityMaps {
 struct IntensityPair {
     const IntensityMaps& live;
     const IntensityMaps& model;  ///< of the camera that the prediction is of
+};
+
+/// Where the points of a view are: twists turn about their middle, and rotations are counted as the movement
+/// of a point at their spread (root mean square distance from it).
+struct ViewExtent {
+    Eigen::Vector3f centre_c_m{0.0f, 0.0f, 1.0f};
+    float spread_m = 0.5f;
 };
 
 /// 6DOF pose of the camera against a prediction: Listing 1 and Eq 1, coarse to fine.
@@ -116,7 +123,7 @@ class CameraTracking {
         normal_map_;
     Buffer<float> sums_;
     Buffer<std::uint8_t> rgb_;
-    float centre_depth_m_ = 1.0f;
+    ViewExtent extent_;  // of the live view
     float min_eigenvalue_ = 0.0f;
 };
 
