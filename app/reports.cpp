@@ -36,6 +36,8 @@ const char* state_word(InteractionState state) {
             return "starting";
         case InteractionState::scanning:
             return "scanning";
+        case InteractionState::realigning:
+            return "realigning";
         case InteractionState::live:
             break;
     }

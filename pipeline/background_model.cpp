@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace touchstone {
@@ -67,16 +68,30 @@ std::optional<VolumePlacement> place_volume(const DepthView& view, const Backgro
 }
 
 BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& config,
-                                 const Intrinsics& intrinsics, const VolumePlacement& placement)
+                                 const Intrinsics& intrinsics, const VolumePlacement& placement,
+                                 TsdfVolume volume)
     : config_(config),
       placement_(placement),
-      volume_(device, with_side(config.volume, placement.side_m)),
+      volume_(std::move(volume)),
       weighting_(device, config.weights, intrinsics),
       integration_(device, intrinsics, config.weights.noise),
       raycasting_(device, intrinsics),
       prediction_(device, make_map_shape(intrinsics)) {
     prediction_.depth_m.fill(0.0f);
     prediction_.normals_c.fill(0.0f);
+}
+
+BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& config,
+                                 const Intrinsics& intrinsics, const VolumePlacement& placement)
+    : BackgroundModel(device, config, intrinsics, placement,
+                      TsdfVolume(device, with_side(config.volume, placement.side_m))) {}
+
+BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& config,
+                                 const Intrinsics& intrinsics, const VolumeSnapshot& saved,
+                                 const RigidTransform& T_g_c)
+    : BackgroundModel(device, config, intrinsics, {saved.config.side_m, T_g_c},
+                      restore_volume(device, saved)) {
+    move_camera(T_g_c);
 }
 
 void BackgroundModel::scan(const LiveMaps& live) {
@@ -91,6 +106,11 @@ void BackgroundModel::follow(const LiveMaps& live, const Buffer<std::uint8_t>& m
     const std::vector<int>& changed =
         integration_.integrate(volume_, live.depth_m, weighting_.weigh(live, mask), placement_.T_g_c, share);
     raycasting_.refresh(volume_, placement_.T_g_c, changed, prediction_);
+}
+
+void BackgroundModel::move_camera(const RigidTransform& T_g_c) {
+    placement_.T_g_c = T_g_c;
+    raycasting_.raycast(volume_, T_g_c, prediction_);
 }
 
 }  // namespace touchstone

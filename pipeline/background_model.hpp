@@ -8,6 +8,7 @@
 #include "pipeline/sample_weights.hpp"
 #include "pipeline/tsdf_volume.hpp"
 #include "pipeline/types.hpp"
+#include "pipeline/volume_snapshot.hpp"
 #include "pipeline/volumetric_integration.hpp"
 
 namespace touchstone {
@@ -41,17 +42,25 @@ class BackgroundModel {
   public:
     BackgroundModel(const Device& device, const BackgroundConfig& config, const Intrinsics& intrinsics,
                     const VolumePlacement& placement);
+    /// From a saved volume, in which the camera is at a pose. Throws Error as restore_volume.
+    BackgroundModel(const Device& device, const BackgroundConfig& config, const Intrinsics& intrinsics,
+                    const VolumeSnapshot& saved, const RigidTransform& T_g_c);
 
     /// Fuses a whole frame and predicts the whole view: while scanning.
     void scan(const LiveMaps& live);
     /// Fuses one slice of a masked frame and refreshes what changed: while live.
     void follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask);
+    /// The camera is elsewhere: predicts the whole view from there.
+    void move_camera(const RigidTransform& T_g_c);
 
     const TsdfVolume& volume() const { return volume_; }
     const SurfacePrediction& prediction() const { return prediction_; }
     const RigidTransform& T_g_c() const { return placement_.T_g_c; }
 
   private:
+    BackgroundModel(const Device& device, const BackgroundConfig& config, const Intrinsics& intrinsics,
+                    const VolumePlacement& placement, TsdfVolume volume);
+
     BackgroundConfig config_;
     VolumePlacement placement_;
     TsdfVolume volume_;

@@ -91,6 +91,11 @@ std::span<const float> ColumnDrift::update(const LiveMaps& live, const SurfacePr
     return shift_per_m_;
 }
 
+void ColumnDrift::restore(std::span<const float> shift_per_m) {
+    shift_per_m_.assign(shift_per_m_.size(), 0.0f);
+    std::ranges::copy(shift_per_m, shift_per_m_.begin());
+}
+
 void ColumnDrift::estimate_shifts() {
     const auto counts = counts_.map_read();
     const auto sums = sums_.map_read();

@@ -44,6 +44,11 @@ class ColumnDrift {
     std::span<const float> update(const LiveMaps& live, const SurfacePrediction& background,
                                   const Foreground& foreground);
 
+    /// The last result, zero before the first.
+    std::span<const float> shift_per_m() const { return shift_per_m_; }
+    /// Goes back to an earlier result; to zero where it is empty.
+    void restore(std::span<const float> shift_per_m);
+
   private:
     void estimate_shifts();
     std::optional<float> column_residual(std::span<const float> counts, std::span<const float> sums,

@@ -50,6 +50,10 @@ ForegroundSegmentation::ForegroundSegmentation(const Device& device,
       wide_(device, map_pixels(foreground_.shape)),
       held_(device, map_pixels(foreground_.shape)),
       fallback_m_(device, map_pixels(foreground_.shape)) {
+    forget();
+}
+
+void ForegroundSegmentation::forget() {
     wide_.fill(0);
     held_.fill(0);
     fallback_m_.fill(0.0f);

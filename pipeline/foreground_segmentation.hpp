@@ -51,6 +51,8 @@ class ForegroundSegmentation {
     /// While scanning, when everything is background: remembers the depth of pixels where the volume has no
     /// surface (outside it, or seen too rarely), so that they do not become foreground later.
     void learn(const LiveMaps& live, const SurfacePrediction& background);
+    /// Forgets what was learnt and which pixels were masked: the camera is elsewhere.
+    void forget();
     /// Valid until the next call. Waits for the device.
     const Foreground& segment(const LiveMaps& live, const SurfacePrediction& background);
 

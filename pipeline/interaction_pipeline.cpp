@@ -6,6 +6,12 @@ namespace touchstone {
 
 namespace {
 
+RealignmentConfig at_start(const InteractionConfig& config) {
+    RealignmentConfig realignment = config.realignment;
+    realignment.most_frames = config.saved_scan_frames;
+    return realignment;
+}
+
 std::vector<std::uint8_t> without_padding(const Buffer<std::uint8_t>& map, const MapShape& shape) {
     std::vector<std::uint8_t> picture;
     picture.reserve(static_cast<std::size_t>(shape.width_px) * static_cast<std::size_t>(shape.height_px));
@@ -26,6 +32,8 @@ InteractionConfig with_shared_noise(InteractionConfig config) {
     config.segmentation.association.noise = config.noise;
     config.segmentation.components.noise = config.noise;
     config.touch.map.noise = config.noise;
+    config.watch.noise = config.noise;
+    config.realignment.relocalisation.tracking.noise = config.noise;
     return config;
 }
 
@@ -42,8 +50,26 @@ InteractionPipeline::InteractionPipeline(const Device& device, const Interaction
       touch_(device, config_.touch, intrinsics),
       rendering_(device, config_.rendering, intrinsics),
       no_foreground_(device, map_pixels(shape_)),
-      foreground_mask_(&no_foreground_) {
+      foreground_mask_(&no_foreground_),
+      watch_(device, config_.watch, intrinsics),
+      realignment_(device, config_.realignment, intrinsics),
+      start_alignment_(device, at_start(config_), intrinsics) {
     no_foreground_.fill(0);
+}
+
+void InteractionPipeline::use_scan(const SavedScan& scan) {
+    background_.emplace(*device_, config_.background, intrinsics_, scan.volume, scan.T_g_c);
+    keyframes_ = KeyframeDatabase({}, scan.keyframes);
+    aligning_ = &start_alignment_;
+    aligning_->start(scan.T_g_c);
+}
+
+SavedScan InteractionPipeline::saved_scan() const {
+    const std::span<const Keyframe> keyframes = keyframes_.keyframes();
+    return {take_snapshot(background_->volume()),
+            intrinsics_,
+            background_->T_g_c(),
+            {keyframes.begin(), keyframes.end()}};
 }
 
 InteractionFrame InteractionPipeline::process(const DepthView& view, std::uint64_t timestamp_us) {
@@ -56,8 +82,10 @@ InteractionFrame InteractionPipeline::process(const DepthView& view, std::uint64
         }
         if (!background_ && !place_volume(view))
             frame.note = "The camera sees nothing between 0.3 and 6 m yet";
+        else if (aligning_ != nullptr)
+            align(view, frame);
         else if (scanned_frames_ < config_.scan_frames)
-            scan(frame);
+            scan(view, frame);
         else
             interact(timestamp_us, frame);
     }
@@ -72,19 +100,26 @@ bool InteractionPipeline::place_volume(const DepthView& view) {
     return true;
 }
 
-void InteractionPipeline::scan(InteractionFrame& frame) {
+void InteractionPipeline::scan(const DepthView& view, InteractionFrame& frame) {
     const StageTimer timer(times_, "background scan");
     background_->scan(live_);
     segmentation_.learn(live_, background_->prediction());
     device_->finish();
     ++scanned_frames_;
     frame.state = InteractionState::scanning;
+    frame.note = scan_reason_;
     frame.scan_frames_done = scanned_frames_;
     frame.scan_progress = static_cast<float>(scanned_frames_) / static_cast<float>(config_.scan_frames);
     if (scanned_frames_ < config_.scan_frames) return;
     const TsdfVolume& volume = background_->volume();
     log_info("scanned: {} bricks of {:.1f} mm voxels, {:.0f} MB", volume.bricks_in_use(),
              1000.0f * volume.params().voxel_m, static_cast<double>(volume.memory_bytes()) / 1e6);
+    keyframes_.add_if_new(make_small_picture(view), background_->T_g_c());
+    scan_reason_.clear();
+    fit_area();
+}
+
+void InteractionPipeline::fit_area() {
     area_ = config_.fit_area ? fit_interactive_area(background_->prediction(), intrinsics_, config_.area_fit)
                              : std::optional(config_.area);
     if (!area_) area_ = whole_view_area(background_->prediction(), intrinsics_);
@@ -99,26 +134,36 @@ void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame&
         const StageTimer timer(times_, "foreground segmentation");
         return segmentation_.segment(live_, background);
     }();
-    foreground_mask_ = &foreground.mask;
-    {
-        const StageTimer timer(times_, "touch detection");
-        std::vector<PixelRegion> regions;
-        for (const ForegroundComponent& component : foreground.components) {
-            const PixelBox& box = component.box;
-            regions.push_back({box.min_x_px, box.min_y_px, box.max_x_px + 1, box.max_y_px + 1});
-        }
-        TrackedTouches tracked =
-            touch_.detect({live_, background, foreground.mask, regions, *area_, timestamp_us});
-        frame.touches = std::move(tracked.touches);
-        frame.hovers = std::move(tracked.hovers);
+    const CameraVerdict verdict = judge_camera(foreground);
+    if (verdict == CameraVerdict::moved) {
+        begin_realigning(frame);
+        return;
     }
+    foreground_mask_ = &foreground.mask;
+    if (verdict == CameraVerdict::still) detect_touches(foreground, timestamp_us, frame);
     {
         const StageTimer timer(times_, "sensor drift");
+        const std::span<const float> before = drift_.shift_per_m();
+        if (verdict == CameraVerdict::still) shift_before_doubt_.assign(before.begin(), before.end());
         conversion_.set_column_shift(drift_.update(live_, background, foreground));
     }
     const StageTimer timer(times_, "volumetric integration, raycast");
-    background_->follow(live_, foreground.background_mask);
+    if (verdict == CameraVerdict::still) background_->follow(live_, foreground.background_mask);
     device_->finish();
+}
+
+void InteractionPipeline::detect_touches(const Foreground& foreground, std::uint64_t timestamp_us,
+                                         InteractionFrame& frame) {
+    const StageTimer timer(times_, "touch detection");
+    std::vector<PixelRegion> regions;
+    for (const ForegroundComponent& component : foreground.components) {
+        const PixelBox& box = component.box;
+        regions.push_back({box.min_x_px, box.min_y_px, box.max_x_px + 1, box.max_y_px + 1});
+    }
+    TrackedTouches tracked =
+        touch_.detect({live_, background_->prediction(), foreground.mask, regions, *area_, timestamp_us});
+    frame.touches = std::move(tracked.touches);
+    frame.hovers = std::move(tracked.hovers);
 }
 
 ShadedView InteractionPipeline::view() {

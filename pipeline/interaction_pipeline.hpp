@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "pipeline/background_model.hpp"
+#include "pipeline/camera_watch.hpp"
 #include "pipeline/column_drift.hpp"
 #include "pipeline/depth_map_conversion.hpp"
 #include "pipeline/foreground_segmentation.hpp"
 #include "pipeline/interactive_area.hpp"
+#include "pipeline/realignment.hpp"
 #include "pipeline/rendering.hpp"
+#include "pipeline/scan_file.hpp"
 #include "pipeline/touch_detection.hpp"
 #include "pipeline/types.hpp"
 #include "platform/system/stage_timer.hpp"
@@ -29,12 +32,17 @@ struct InteractionConfig {
     TouchDetectionConfig touch;
     InteractiveAreaConfig area_fit;
     RenderingConfig rendering;
+    CameraWatchConfig watch;
+    RealignmentConfig realignment;
+    int saved_scan_frames = 60;  ///< in which a saved scan must be found to fit
 };
 
 /// `noise` written into the configuration of every stage.
 InteractionConfig with_shared_noise(InteractionConfig config);
 
-enum class InteractionState { starting, scanning, live };
+/// Starting: nothing seen yet, or a saved scan is compared with the view. Realigning: the camera was moved,
+/// and touches are frozen until its pose is known again.
+enum class InteractionState { starting, scanning, live, realigning };
 
 /// What one frame gave.
 struct InteractionFrame {
@@ -47,12 +55,16 @@ struct InteractionFrame {
 };
 
 /// Fig 14 for a fixed camera: scan the surroundings, then segment what moves, find touches, and follow the
-/// background.
+/// background. A camera that was knocked is put right.
 class InteractionPipeline {
   public:
     InteractionPipeline(const Device& device, const InteractionConfig& config, const Intrinsics& intrinsics);
 
+    /// Before the first frame: no new scan when the view fits this one. Throws Error as restore_volume.
+    void use_scan(const SavedScan& scan);
     InteractionFrame process(const DepthView& view, std::uint64_t timestamp_us);
+    /// The background as it is. Only once the state has been live. Waits for the device.
+    SavedScan saved_scan() const;
 
     /// The last frame as the camera saw it, shaded.
     ShadedView view();
@@ -61,13 +73,23 @@ class InteractionPipeline {
     std::vector<std::uint8_t> touch_map() const;
     /// From the end of the scan on.
     const std::optional<InteractiveArea>& area() const { return area_; }
+    /// Null until something was seen.
+    const BackgroundModel* background() const { return background_ ? &*background_ : nullptr; }
+    const CameraWatch& watch() const { return watch_; }
     /// Stages by the paper's names, and "frame" for all of process().
     const StageTimes& stage_times() const { return times_; }
 
   private:
     bool place_volume(const DepthView& view);
-    void scan(InteractionFrame& frame);
+    void scan(const DepthView& view, InteractionFrame& frame);
+    void fit_area();
     void interact(std::uint64_t timestamp_us, InteractionFrame& frame);
+    void detect_touches(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
+    CameraVerdict judge_camera(const Foreground& foreground);
+    void begin_realigning(InteractionFrame& frame);
+    void align(const DepthView& view, InteractionFrame& frame);
+    void take_pose(const RigidTransform& T_g_c);
+    void scan_anew();
 
     const Device* device_;
     InteractionConfig config_;
@@ -85,6 +107,12 @@ class InteractionPipeline {
     Buffer<std::uint8_t> no_foreground_;
     const Buffer<std::uint8_t>* foreground_mask_;  ///< of the last frame
     int scanned_frames_ = 0;
+    CameraWatch watch_;
+    Realignment realignment_, start_alignment_;
+    Realignment* aligning_ = nullptr;        ///< the one that looks for the camera's pose
+    std::vector<float> shift_before_doubt_;  ///< of the columns
+    KeyframeDatabase keyframes_;
+    std::string scan_reason_;  ///< why there is a new scan
 };
 
 }  // namespace touchstone

@@ -2,6 +2,11 @@
 
 namespace touchstone {
 
+InteractiveArea transformed(const RigidTransform& T_new_old, const InteractiveArea& area) {
+    return {T_new_old * area.origin_c_m, T_new_old.linear() * area.axis_u_c_m,
+            T_new_old.linear() * area.axis_v_c_m};
+}
+
 Eigen::Vector2f area_uv(const InteractiveArea& area, const Eigen::Vector3f& point_c_m) {
     const Eigen::Vector3f offset = point_c_m - area.origin_c_m;
     return {offset.dot(area.axis_u_c_m) / area.axis_u_c_m.squaredNorm(),

@@ -37,6 +37,9 @@ struct InteractiveArea {
     Eigen::Vector3f axis_v_c_m{0.f, 1.f, 0.f};
 };
 
+/// The same place on the surface in another camera frame.
+InteractiveArea transformed(const RigidTransform& T_new_old, const InteractiveArea& area);
+
 /// Places of a point of the camera frame in the area: 0..1 inside it, not clamped.
 Eigen::Vector2f area_uv(const InteractiveArea& area, const Eigen::Vector3f& point_c_m);
 

@@ -1,0 +1,8 @@
+touchstone_library(touchstone_knock_accuracy knock_run.cpp)
+target_link_libraries(touchstone_knock_accuracy PUBLIC touchstone_pipeline touchstone_simulator)
+
+add_executable(score_knock score_knock.cpp)
+target_link_libraries(score_knock PRIVATE touchstone_knock_accuracy)
+touchstone_warnings(score_knock)
+
+touchstone_test(knock_run_test SOURCES knock_run_test.cpp LIBRARIES touchstone_knock_accuracy LABELS accuracy)
