@@ -1,57 +1,14 @@
-// The sums of Listing 1 and Eq 1 against their reference, and what they must not be misled by.
-#include "pipeline/camera_tracking.hpp"
-
+// The sums of Listing 1 and Eq 1 against their reference, at each level of the pyramid.
 #include <gtest/gtest.h>
 
-#include "tests/reference/listing_1_camera_tracking.hpp"
-#include "tests/support/oriented_scene.hpp"
+#include "tests/support/alignment_of_two.hpp"
 
 namespace touchstone {
 namespace {
 
 using reference::OrientedPicture;
 using test::moved;
-
-AlignmentParams params_of(const CameraTrackingConfig& config, int level) {
-    const TrackingLevel& limits = config.levels[static_cast<std::size_t>(level)];
-    AlignmentParams params{};
-    params.noise = config.noise;
-    params.centre_p = {0.0f, 0.0f, 1.0f, 0.0f};
-    params.max_distance_m = limits.max_distance_m;
-    params.min_normal_cos = std::cos(config.max_normal_angle_deg * std::numbers::pi_v<float> / 180.0f);
-    params.huber_sigmas = config.huber_sigmas;
-    params.cutoff_sigmas = limits.cutoff_sigmas;
-    params.reference_sigma_m = static_cast<float>(reference::sigma_m(config.noise, 1.0, 1.0));
-    params.intensity_sigma = config.intensity_sigma;
-    return params;
-}
-
-/// Sums of the kernels for two pictures of one camera.
-class Sums {
-  public:
-    Sums(const Intrinsics& k, const OrientedPicture& live, const OrientedPicture& model,
-         const CameraTrackingConfig& config = {})
-        : tracking(device_, config, k), live_(device_, make_map_shape(k)), prediction(device_, live_.shape) {
-        test::write_live(live, live_);
-        test::write_model(model, prediction);
-        tracking.prepare(live_);
-    }
-    AlignmentSums at(const RigidTransform& T_p_c, int level) {
-        return tracking.sum(prediction, T_p_c, level);
-    }
-
-  private:
-    const Device device_{DeviceConfig{}};
-
-  public:
-    CameraTracking tracking;
-
-  private:
-    LiveMaps live_;
-
-  public:
-    SurfacePrediction prediction;
-};
+using Sums = test::AlignmentOfTwo;
 
 /// Entries are compared with what they could be at most (Cauchy and Schwarz): `share` of it.
 void expect_same(const AlignmentSums& got, const AlignmentSums& expected, double share) {
@@ -78,8 +35,8 @@ void expect_agreement(const Intrinsics& k, const OrientedPicture& live, const Or
     Intrinsics k_level = k;
     for (int level = 0; level < 3; ++level) {
         SCOPED_TRACE("level " + std::to_string(level));
-        const AlignmentSums expected =
-            reference::sum_alignment(live_level, k_level, model, k, T_p_c, params_of(config, level));
+        const AlignmentSums expected = reference::sum_alignment(
+            live_level, k_level, model, k, T_p_c, test::alignment_params(config, level, sums.middle));
         const AlignmentSums got = sums.at(T_p_c, level);
         EXPECT_GT(expected.pairs, 0.25 * expected.measured);
         EXPECT_EQ(got.measured, expected.measured);
@@ -139,135 +96,6 @@ TEST_P(CameraTrackingSums, OfNothingAreZero) {
     EXPECT_GT(behind.measured, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, CameraTrackingSums, testing::Values(std::pair{96, 80}, std::pair{70, 50}));
-
-/// No bias by half pixels: an identical view solves to no movement at each level. Half a pixel of the
-/// coarsest level would be 15 mm or half a degree here. What is left is of the pixels where two walls meet,
-/// whose mean depth lies before both: 0.2 mm and 0.02 degrees at the coarsest level.
-TEST(CameraTrackingKernels, AnIdenticalViewSolvesToNoMovementAtEachLevel) {
-    for (const auto& [width, height] : {std::pair{160, 128}, {150, 110}}) {
-        const Intrinsics k = test::small_camera(width, height);
-        const OrientedPicture view = test::view_of(k, test::three_walls(), moved({10.0f, 5.0f, 0.0f}));
-        Sums sums(k, view, view);
-        for (int level = 0; level < 3; ++level) {
-            const TwistSolution solution =
-                solve_twist(sums.at(RigidTransform::Identity(), level), 0.5, 0.002);
-            EXPECT_EQ(solution.held, 0) << solution.eigenvalues.transpose();
-            const test::PoseError bias =
-                test::pose_error(twist_about(solution.twist, {0.0f, 0.0f, 1.0f}), RigidTransform::Identity());
-            EXPECT_LT(bias.mm, 0.5f) << "level " << level;
-            EXPECT_LT(bias.deg, 0.04f) << "level " << level;
-        }
-    }
-}
-
-/// The same for one slanted plane, whose residuals are seen directly: within 0.1 mm.
-TEST(CameraTrackingKernels, AnIdenticalSlantedPlaneHasNoResidualAtAnyLevel) {
-    const Intrinsics k = test::small_camera();
-    const OrientedPicture view =
-        test::view_of(k, test::wall({0.4, 0.2, 1.0}, 1.0), RigidTransform::Identity());
-    Sums sums(k, view, view);
-    for (int level = 0; level < 3; ++level) {
-        const AlignmentSums got = sums.at(RigidTransform::Identity(), level);
-        EXPECT_GT(got.pairs, 0.95 * got.measured) << level;
-        EXPECT_LT(std::sqrt(got.squares / got.pairs), 1e-4) << level;
-    }
-}
-
-/// Seen from behind, a thin sheet is where its front was, but faces the other way.
-TEST(CameraTrackingKernels, TheBackOfAThinSheetDoesNotMatchItsFront) {
-    const Intrinsics k = test::small_camera();
-    const OrientedPicture front =
-        test::view_of(k, test::wall({0.0, 0.0, 1.0}, 1.0), RigidTransform::Identity());
-    OrientedPicture back = front;
-    for (Eigen::Vector3f& n : back.normals) n = -n;
-    const AlignmentSums same = Sums(k, front, front).at(RigidTransform::Identity(), 0);
-    EXPECT_EQ(same.pairs, same.compared);
-    const AlignmentSums turned = Sums(k, front, back).at(RigidTransform::Identity(), 0);
-    EXPECT_EQ(turned.pairs, 0.0);
-    EXPECT_GT(turned.compared, 0.0);
-}
-
-/// Normals 34 degrees apart match, 36 do not; they are compared in one frame: the live camera is turned.
-TEST(CameraTrackingKernels, NormalsAreComparedInOneFrame) {
-    const Intrinsics k = test::small_camera();
-    const OrientedPicture model =
-        test::view_of(k, test::wall({0.0, 0.0, 1.0}, 1.0), RigidTransform::Identity());
-    CameraTrackingConfig config;
-    config.levels[0] = {4, 10.0f, 1e6f};
-    for (const float turned_deg : {-20.0f, 20.0f}) {
-        const RigidTransform T_p_c = moved({0.0f, 0.0f, 0.0f}, turned_deg, {0.0f, 1.0f, 0.0f});
-        for (const auto& [angle_deg, matches] : {std::pair{34.0f, true}, {36.0f, false}}) {
-            OrientedPicture live = model;
-            const RigidTransform tilt = moved({0.0f, 0.0f, 0.0f}, angle_deg, {1.0f, 0.0f, 0.0f});
-            for (Eigen::Vector3f& n : live.normals)
-                n = T_p_c.linear().transpose() * (tilt.linear() * Eigen::Vector3f(0.0f, 0.0f, -1.0f));
-            const AlignmentSums sums = Sums(k, live, model, config).at(T_p_c, 0);
-            EXPECT_GT(sums.compared, 100.0);
-            EXPECT_EQ(sums.pairs, matches ? sums.compared : 0.0) << angle_deg;
-        }
-    }
-}
-
-/// A wall 99 mm before its model: the vertices of pairs are 99 to 120 mm apart, residuals are 99 mm.
-TEST(CameraTrackingKernels, PairsAreLimitedByDistanceAndByResidual) {
-    const Intrinsics k = test::small_camera();
-    const auto wall_at = [&](double z) {
-        return test::view_of(k, test::wall({0.0, 0.0, 1.0}, z), RigidTransform::Identity());
-    };
-    const double sigma_m = reference::sigma_m(SensorNoise{0.0012f, 0.0019f, 0.4f, 0.0f}, 1.001, 1.0);
-    for (const auto& [gate_m, cutoff_sigmas, matches] : {std::tuple{0.121, 1e6, true},
-                                                         {0.098, 1e6, false},
-                                                         {0.2, 0.1 / sigma_m, true},
-                                                         {0.2, 0.098 / sigma_m, false}}) {
-        CameraTrackingConfig config;
-        config.noise.grazing = 0.0f;
-        config.levels[0] = {4, static_cast<float>(gate_m), static_cast<float>(cutoff_sigmas)};
-        const AlignmentSums sums =
-            Sums(k, wall_at(1.001), wall_at(1.1), config).at(RigidTransform::Identity(), 0);
-        EXPECT_EQ(sums.pairs, matches ? sums.compared : 0.0) << gate_m << " " << cutoff_sigmas;
-    }
-}
-
-/// Rows weigh by the sensor's noise: the same wall at 3 m weighs (sigma(1 m) / sigma(3 m))^2 of one at 1 m,
-/// and a residual of 3 sigmas half by Huber at 1.5.
-TEST(CameraTrackingKernels, RowsWeighByNoiseAndByHuber) {
-    const Intrinsics k = test::small_camera();
-    CameraTrackingConfig config;
-    config.noise.grazing = 0.0f;
-    const auto mean_weight = [&](double live_m, double model_m) {
-        const auto view = [&](double z) {
-            return test::view_of(k, test::wall({0.0, 0.0, 1.0}, z), RigidTransform::Identity());
-        };
-        const AlignmentSums sums =
-            Sums(k, view(live_m), view(model_m), config).at(RigidTransform::Identity(), 0);
-        return sums.weight / sums.pairs;
-    };
-    const double near_m = reference::sigma_m(config.noise, 1.0, 1.0),
-                 far_m = reference::sigma_m(config.noise, 3.0, 1.0);
-    EXPECT_NEAR(mean_weight(1.0, 1.0), 1.0, 1e-4);
-    EXPECT_NEAR(mean_weight(3.0, 3.0), near_m * near_m / (far_m * far_m), 1e-4);
-    EXPECT_NEAR(mean_weight(1.0, 1.0 + 3.0 * near_m), 0.5, 1e-3);
-    config.noise.grazing = 0.001f;  // the corners of the view are seen aslant
-    EXPECT_LT(mean_weight(1.0, 1.0), 0.9);
-}
-
-/// Sums do not lose precision with the number of pixels: 300,000 rows give the means that 3,000 give. The
-/// wall is 1 mm off, so the residual's mean square is 1 mm^2 to 1 in 10,000.
-TEST(CameraTrackingKernels, MeansDoNotDependOnTheNumberOfPixels) {
-    for (const auto& [width, height] : {std::pair{64, 48}, {640, 480}}) {
-        const Intrinsics k = test::small_camera(width, height);
-        const auto view = [&](double z) {
-            return test::view_of(k, test::wall({0.0, 0.0, 1.0}, z), RigidTransform::Identity());
-        };
-        const AlignmentSums sums = Sums(k, view(1.0), view(1.001)).at(RigidTransform::Identity(), 0);
-        EXPECT_EQ(sums.pairs, static_cast<double>(width * height));
-        EXPECT_NEAR(1e6 * sums.squares / sums.pairs, 1.0, 1e-3);  // depths themselves are exact to 1e-4 mm
-        EXPECT_NEAR(sums.A(5, 5) / sums.weight, 1.0, 1e-5);
-        EXPECT_NEAR(1000.0 * sums.b[5] / sums.weight, 1.0, 1e-3);
-    }
-}
-
 /// Stripes and spots fixed to the scene, as a camera sees them: brightness 0..1 as 3 equal bytes.
 std::vector<std::uint8_t> texture_of(const Intrinsics& k, const OrientedPicture& view,
                                      const RigidTransform& T_g_c) {
@@ -302,8 +130,8 @@ TEST_P(CameraTrackingSums, OfBrightnessAgreeWithTheReference) {
         const reference::Brightness seen{level, live_level.width_px, live_level.height_px, live_level.depth_m,
                                          model_level.depth_m};
         const RigidTransform estimate = T_p_c * moved({6.0f, -5.0f, 4.0f}, 0.4f);
-        const AlignmentSums expected =
-            reference::sum_intensity(live, k_level, model_, k_, seen, estimate, params_of(config, level));
+        const AlignmentSums expected = reference::sum_intensity(
+            live, k_level, model_, k_, seen, estimate, test::alignment_params(config, level, sums.middle));
         const AlignmentSums got =
             sums.tracking.sum_intensity(sums.prediction, {live_maps, model_maps}, estimate, level);
         EXPECT_GT(expected.pairs, 0.5 * static_cast<double>(live.depth_m.size()));
@@ -315,18 +143,7 @@ TEST_P(CameraTrackingSums, OfBrightnessAgreeWithTheReference) {
     }
 }
 
-/// The step moves live points towards the model: in the frame p, forward where the model is behind.
-TEST(CameraTrackingKernels, TheSolutionMovesTowardsTheModel) {
-    const Intrinsics k = test::small_camera();
-    const RigidTransform T_p_c = moved({6.0f, -4.0f, 5.0f}, 0.5f);
-    const OrientedPicture model = test::view_of(k, test::corner(), RigidTransform::Identity());
-    const OrientedPicture live = test::view_of(k, test::corner(), T_p_c);
-    Sums sums(k, live, model);
-    const TwistSolution solution = solve_twist(sums.at(RigidTransform::Identity(), 0), 0.5, 0.002);
-    const test::PoseError rest = test::pose_error(twist_about(solution.twist, {0.0f, 0.0f, 1.0f}), T_p_c);
-    EXPECT_LT(rest.mm, 3.0f);  // of 8.8 mm, at one step
-    EXPECT_LT(rest.deg, 0.15f);
-}
+INSTANTIATE_TEST_SUITE_P(Sizes, CameraTrackingSums, testing::Values(std::pair{96, 80}, std::pair{70, 50}));
 
 }  // namespace
 }  // namespace touchstone

@@ -101,6 +101,25 @@ inline Eigen::Vector3d centre_of(const AlignmentParams& params) {
     return {params.centre_p.x, params.centre_p.y, params.centre_p.z};
 }
 
+/// The mean of a picture's points, about which twists turn; `levels` times half-sampled.
+inline Eigen::Vector3f middle_of(OrientedPicture picture, Intrinsics k, int levels, float gap_per_m) {
+    for (int level = 0; level < levels; ++level) {
+        k = half_intrinsics(k);
+        picture = half_sample(picture, k, gap_per_m, gap_per_m);
+    }
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double count = 0.0;
+    for (int y = 0; y < k.height_px; ++y) {
+        for (int x = 0; x < k.width_px; ++x) {
+            const float z = picture.depth_m[static_cast<std::size_t>(y * k.width_px + x)];
+            if (z <= 0.0f) continue;
+            sum += point_c(k, x, y, static_cast<double>(z));
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? Eigen::Vector3f((sum / count).cast<float>()) : Eigen::Vector3f::UnitZ();
+}
+
 /// The sums of one level; `model` is of the full size, whatever the level of `live`.
 inline AlignmentSums sum_alignment(const OrientedPicture& live, const Intrinsics& live_k,
                                    const OrientedPicture& model, const Intrinsics& model_k,
