@@ -27,7 +27,8 @@ class KeyList {
     std::vector<ConfigKey> keys_;
 };
 
-void add_volume_keys(KeyList& keys, InteractionConfig& interaction) {
+void add_volume_keys(KeyList& keys, Config& config) {
+    InteractionConfig& interaction = config.interaction;
     BackgroundConfig& background = interaction.background;
     keys.section("volume");
     keys.add("size_vox", background.volume.size_vox, 64, 1024,
@@ -40,6 +41,8 @@ void add_volume_keys(KeyList& keys, InteractionConfig& interaction) {
     keys.add("max_bricks", background.volume.max_bricks, 64, 1048576, "limit of the pool, 2 KiB each");
     keys.section("scan");
     keys.add("frames", interaction.scan_frames, 1, 1000, "frames until a still scene is live");
+    keys.add("file", config.scan_file,
+             "a start goes on with this scan where it fits the view, else it is written anew; empty: none");
 }
 
 void add_sensor_keys(KeyList& keys, Config& config) {
@@ -76,7 +79,7 @@ std::vector<ConfigKey> config_keys(Config& config) {
     add_sensor_keys(keys, config);
     keys.section("compute");
     keys.add("device", config.compute.choice, "auto, gpu, cpu, or a part of the OpenCL device's name");
-    add_volume_keys(keys, config.interaction);
+    add_volume_keys(keys, config);
     keys.section("tuio");
     keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");

@@ -22,6 +22,7 @@ struct Config {
     std::string sensor_uri;
     DeviceConfig compute;
     InteractionConfig interaction;
+    std::string scan_file;  ///< empty: the surroundings are scanned at every start
     bool tuio_enabled = true;
     TuioConfig tuio;
     DisplayConfig display;

@@ -1,5 +1,6 @@
 #include "app/perception.hpp"
 
+#include <filesystem>
 #include <thread>
 
 #include "app/reports.hpp"
@@ -91,12 +92,12 @@ TableFrame Perception::without_frame(const std::string& state, const std::string
 TableFrame Perception::process(const DepthFrame& frame) {
     const auto start = std::chrono::steady_clock::now();
     if (!pipeline_ || !same_camera(intrinsics_, frame.intrinsics)) {
-        intrinsics_ = frame.intrinsics;
-        pipeline_ = std::make_unique<InteractionPipeline>(device_, options_.config.interaction, intrinsics_);
+        start_pipeline(frame.intrinsics);
     }
     const InteractionFrame result =
         pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
     publish(result, frame);
+    save_scan_when_new(result.state);
     TableFrame shown;
     shown.index = frame.index;
     shown.timestamp_us = frame.timestamp_us;
@@ -120,6 +121,36 @@ TableFrame Perception::process(const DepthFrame& frame) {
     last_shown_ = shown;
     last_shown_.touches.clear();
     return shown;
+}
+
+void Perception::start_pipeline(const Intrinsics& intrinsics) {
+    intrinsics_ = intrinsics;
+    pipeline_ = std::make_unique<InteractionPipeline>(device_, options_.config.interaction, intrinsics_);
+    const std::string& file = options_.config.scan_file;
+    if (file.empty()) return;
+    std::error_code none;
+    if (!std::filesystem::exists(file, none)) {
+        log_info("no scan at {} yet: scanning", file);
+        return;
+    }
+    try {
+        pipeline_->use_scan(load_scan(file));
+        log_info("comparing the scan {} with the view", file);
+    } catch (const Error& error) {
+        log_warning("{}; scanning anew", error.what());
+    }
+}
+
+void Perception::save_scan_when_new(InteractionState state) {
+    if (state == InteractionState::scanning || state == InteractionState::realigning) scan_is_new_ = true;
+    if (state != InteractionState::live || !scan_is_new_ || options_.config.scan_file.empty()) return;
+    scan_is_new_ = false;
+    try {
+        save_scan(options_.config.scan_file, pipeline_->saved_scan());
+        log_info("scan written: {}", options_.config.scan_file);
+    } catch (const Error& error) {
+        log_warning("{}; the next start scans anew", error.what());
+    }
 }
 
 void Perception::publish(const InteractionFrame& result, const DepthFrame& frame) {

@@ -34,6 +34,9 @@ class Perception {
     TableFrame process(const DepthFrame& frame);
     TableFrame without_frame(const std::string& state, const std::string& note);
     void publish(const InteractionFrame& result, const DepthFrame& frame);
+    void start_pipeline(const Intrinsics& intrinsics);
+    /// A scan that cannot be written is no reason to stop: it is said.
+    void save_scan_when_new(InteractionState state);
     void measure_rate(std::chrono::steady_clock::time_point start);
 
     RunOptions options_;
@@ -48,6 +51,7 @@ class Perception {
     float rate_hz_ = 0.0f;
     int frames_done_ = 0;
     TableFrame last_shown_;
+    bool scan_is_new_ = false;  ///< made or moved since it was last written
 };
 
 /// For the mailbox: the newer frame, with the touch events of the one that was never drawn put before its

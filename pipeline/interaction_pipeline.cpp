@@ -9,6 +9,10 @@ namespace {
 RealignmentConfig at_start(const InteractionConfig& config) {
     RealignmentConfig realignment = config.realignment;
     realignment.most_frames = config.saved_scan_frames;
+    // Another table is easily taken for the saved one from somewhere else.
+    realignment.max_shift_m = 0.15f;
+    realignment.max_turn_deg = 10.0f;
+    realignment.relocalisation.min_inlier_share = 0.7f;
     return realignment;
 }
 

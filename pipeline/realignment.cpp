@@ -15,10 +15,15 @@ float valid_share(const DepthView& view) {
 }  // namespace
 
 void Realignment::start(const RigidTransform& T_g_last) {
-    T_g_c_ = T_g_last;
+    T_g_start_ = T_g_c_ = T_g_last;
     seen_ = false;
     still_ = frames_ = 0;
     relocalisation_.restart();
+}
+
+bool Realignment::is_too_far(const RigidTransform& T_g_found) const {
+    const Displacement moved = displacement(T_g_start_.inverse() * T_g_found);
+    return moved.shift_m > config_.max_shift_m || moved.turn_deg > config_.max_turn_deg;
 }
 
 Realignment::Outcome Realignment::step(const LiveMaps& live, const DepthView& view, const TsdfVolume& volume,
@@ -27,7 +32,7 @@ Realignment::Outcome Realignment::step(const LiveMaps& live, const DepthView& vi
     if (++frames_ > config_.most_frames) return Outcome::given_up;
     const auto found = seen_ ? relocalisation_.confirm(live, volume, T_g_c_)
                              : relocalisation_.step(live, view, volume, T_g_c_, keyframes);
-    if (!found) {
+    if (!found || is_too_far(*found)) {
         seen_ = false;
         return Outcome::searching;
     }

@@ -61,8 +61,7 @@ PoseError pose_error(const RigidTransform& T_true, const RigidTransform& T_found
                      const SurfacePrediction& prediction, const Intrinsics& k) {
     const RigidTransform off = T_true.inverse() * T_found;
     const Displacement step = displacement(off);
-    const auto depth_m = prediction.depth_m.read(), normals_c = prediction.normals_c.read();
-    const std::size_t plane = map_pixels(prediction.shape);
+    const auto depth_m = prediction.depth_m.read();
     std::vector<float> gaps_mm;
     for (int y = 0; y < k.height_px; y += 4) {
         for (int x = 0; x < k.width_px; x += 4) {
@@ -71,8 +70,12 @@ PoseError pose_error(const RigidTransform& T_true, const RigidTransform& T_found
             const Eigen::Vector3f p_c =
                 depth_m[at] * Eigen::Vector3f((static_cast<float>(x) - k.cx_px) / k.fx_px,
                                               (static_cast<float>(y) - k.cy_px) / k.fy_px, 1.0f);
-            const Eigen::Vector3f n_c(normals_c[at], normals_c[plane + at], normals_c[2 * plane + at]);
-            gaps_mm.push_back(1000.0f * std::abs(n_c.dot(off * p_c - p_c)));
+            const Eigen::Vector3f moved_c = off * p_c;
+            const auto u = static_cast<int>(std::lround(moved_c.x() / moved_c.z() * k.fx_px + k.cx_px));
+            const auto v = static_cast<int>(std::lround(moved_c.y() / moved_c.z() * k.fy_px + k.cy_px));
+            if (u < 0 || v < 0 || u >= k.width_px || v >= k.height_px) continue;
+            const float there_m = depth_m[map_index(prediction.shape, u, v)];
+            if (there_m > 0.0f) gaps_mm.push_back(1000.0f * std::abs(moved_c.z() - there_m));
         }
     }
     if (gaps_mm.empty()) return {1000.0f * step.shift_m, step.turn_deg, 0.0f};

@@ -19,8 +19,7 @@ struct KnockRun {
 /// Where the camera is thought to be against where it is.
 struct PoseError {
     float shift_mm = 0.0f, turn_deg = 0.0f;
-    float surface_mm =
-        0.0f;  ///< along the normals, that 90 % of the view stays below: what touches suffer from
+    float surface_mm = 0.0f;  ///< between surface and surface, along z; 90 % of the view stays below
 };
 
 struct KnockScore {

@@ -12,10 +12,6 @@ TEST(PoseErrorTest, SlidingAlongAPlaneIsNoErrorOfTheSurface) {
     const Intrinsics k = test::small_camera();
     SurfacePrediction wall(device, make_map_shape(k));
     wall.depth_m.fill(1.0f);
-    std::vector<float> normals(3 * map_pixels(wall.shape), 0.0f);
-    std::fill(normals.begin() + static_cast<std::ptrdiff_t>(2 * map_pixels(wall.shape)), normals.end(),
-              -1.0f);
-    wall.normals_c.write(normals);
     const RigidTransform still = RigidTransform::Identity();
     RigidTransform aside = still, nearer = still;
     aside.translation().x() = 0.010f;
