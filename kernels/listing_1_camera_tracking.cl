@@ -106,9 +106,11 @@ __kernel void sum_alignment(__global const float* live_m, __global const float* 
         const int8 pair = compared & (dot8(d, d) < params.max_distance_m * params.max_distance_m) &
                           (dot8(n, n_live) > params.min_normal_cos) & (sigmas < params.cutoff_sigmas);
         const float8 scale = params.reference_sigma_m / sigma;
+        const float8 relative = sigmas / params.cutoff_sigmas, tukey = 1.0f - relative * relative;
         const float8 huber = fmin(1.0f, params.huber_sigmas / fmax(sigmas, 1e-6f));
-        const float8 w = select((float8)(0.0f), scale * scale * huber, pair);
+        const float8 w = select((float8)(0.0f), scale * scale * huber * tukey * tukey, pair);
         total[ALIGNMENT_STATISTICS + 3] += select((float8)(0.0f), (float8)(1.0f), compared);
+        total[ALIGNMENT_STATISTICS + 6] += select((float8)(0.0f), (float8)(1.0f), pair & (sigmas < 2.0f));
         add_rows8(total, from_centre8(v, params.centre_p), n, r, w);
     }
     for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[y * ALIGNMENT_SUMS + i] = sum8(total[i]);

@@ -160,7 +160,7 @@ typedef struct AlignmentParams {
 } AlignmentParams;
 
 /* What a row of pixels adds to the normal equations A x = b, x = (omega, t): A's upper triangle row by row, b, then sums of
- * weight, weight * residual^2, pairs that count, pairs compared (a model is there), live pixels, residual^2, 0, 0. */
+ * weight, weight * residual^2, pairs that count, pairs compared (a model is there), live pixels, residual^2, pairs within 2 sigma_z, 0. */
 #define ALIGNMENT_SUMS 35
 #define ALIGNMENT_B 21
 #define ALIGNMENT_STATISTICS 27

@@ -74,6 +74,7 @@ void add(std::span<const float> row, AlignmentSums& sums) {
     sums.compared += static_cast<double>(statistics[3]);
     sums.measured += static_cast<double>(statistics[4]);
     sums.squares += static_cast<double>(statistics[5]);
+    sums.close += static_cast<double>(statistics[6]);
 }
 
 /// Lower is better: mean squared residual, with the cut-off's for every live pixel that has no pair.
@@ -240,10 +241,22 @@ TrackingResult CameraTracking::track(const LiveMaps& live, const SurfacePredicti
     min_eigenvalue_ = std::max(config_.min_eigenvalue,
                                config_.young_min_eigenvalue / static_cast<float>(std::max(model_frames, 1)));
     prepare(live, excluded);
-    result.T_p_c = best_guess(model, guesses);
+    const RigidTransform start = best_guess(model, guesses);
+    result.T_p_c = start;
     for (int level = static_cast<int>(levels) - 1; level >= 0; --level)
         refine(model, intensity, level, result);
-    const AlignmentSums sums = sum(model, result.T_p_c, 0);
+    AlignmentSums sums = sum(model, result.T_p_c, 0);
+    if (sum(model, start, 0).close > sums.close) {
+        // What moves by itself has led the coarse levels astray.
+        TrackingResult direct = result;
+        direct.T_p_c = start;
+        refine(model, intensity, 0, direct);
+        const AlignmentSums of_direct = sum(model, direct.T_p_c, 0);
+        if (of_direct.close > sums.close) {
+            result = direct;
+            sums = of_direct;
+        }
+    }
     const double pairs = std::max(sums.pairs, 1.0);
     const double reference_m = static_cast<double>(sigma_z_m(config_.noise, 1.0f));
     result.rms_sigmas = static_cast<float>(std::sqrt(sums.weighted_squares / pairs) / reference_m);

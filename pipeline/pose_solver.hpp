@@ -19,6 +19,7 @@ struct AlignmentSums {
     double weighted_squares = 0.0;  ///< sum of w r^2, m^2
     double squares = 0.0;           ///< sum of r^2 over the pairs that count, m^2
     double pairs = 0.0;             ///< that count
+    double close = 0.0;             ///< pairs within 2 sigma_z
     double compared = 0.0;          ///< live pixels with a model behind or before them
     double measured = 0.0;          ///< live pixels
 };

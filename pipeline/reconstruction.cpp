@@ -11,18 +11,23 @@ namespace touchstone {
 
 namespace {
 
+constexpr float object_side_m = 1.5f;        // a smaller cube is for an object
+constexpr float camera_inside_share = 0.1f;  // of the side, behind the front face
+constexpr std::size_t min_points = 1000;
+constexpr float outside_margin_m = 0.02f;
+
+/// Hands that hold an object move beside it all the time: only what is near the model may pull.
+constexpr std::array<TrackingLevel, 3> object_levels{
+    TrackingLevel{4, 0.015f, 4.0f}, TrackingLevel{6, 0.02f, 4.0f}, TrackingLevel{10, 0.03f, 5.0f}};
+
 ReconstructionConfig with_shared_noise(ReconstructionConfig config) {
     config.conversion.noise = config.noise;
     config.tracking.noise = config.noise;
     config.weights.noise = config.noise;
     config.color.noise = config.noise;
+    if (config.volume.side_m < object_side_m) config.tracking.levels = object_levels;
     return config;
 }
-
-constexpr float object_side_m = 1.5f;        // a smaller cube is for an object
-constexpr float camera_inside_share = 0.1f;  // of the side, behind the front face
-constexpr std::size_t min_points = 1000;
-constexpr float outside_margin_m = 0.02f;
 
 /// Points of the middle half of the view, each way.
 std::vector<Eigen::Vector3f> middle_points_c_m(const DepthView& view) {
