@@ -108,7 +108,9 @@ ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<con
             frame.tracking.state = TrackingState::good;
         else
             track(has_intensity, frame);
-        frame.fused = frame.tracking.state == TrackingState::good;
+        if (frame.tracking.state == TrackingState::lost) relocalise(view, frame);
+        frame.fused = frame.tracking.state == TrackingState::good && frames_to_prove_ == 0;
+        if (frame.tracking.state == TrackingState::good && frames_to_prove_ > 0) --frames_to_prove_;
         if (frame.fused) fuse(has_intensity ? color_rgb : std::span<const std::uint8_t>{});
         if (frame.fused) keyframes_.add_if_new(make_small_picture(view), T_g_c_);
         if (frame.tracking.state != TrackingState::lost) {
@@ -137,6 +139,24 @@ void Reconstruction::track(bool has_intensity, ReconstructionFrame& frame) {
     }
     velocity_ = frame.tracking.T_p_c;
     T_g_c_ = orthonormal(T_g_p_ * frame.tracking.T_p_c);
+}
+
+void Reconstruction::relocalise(const DepthView& view, ReconstructionFrame& frame) {
+    const StageTimer timer(times_, "relocalisation");
+    if (!relocalisation_) {
+        RelocalisationConfig config;
+        config.tracking.noise = config_.noise;
+        relocalisation_.emplace(*device_, config, intrinsics_);
+    }
+    if (frames_to_prove_ == 0) relocalisation_->restart();
+    frames_to_prove_ = config_.proving_frames;
+    const auto T_g_c = relocalisation_->step(live_, view, volume_, T_g_c_, &keyframes_);
+    if (!T_g_c) return;
+    relocalisation_->restart();
+    T_g_c_ = *T_g_c;
+    frame.tracking = relocalisation_->tracking();
+    frame.tracking.state = TrackingState::poor;
+    frame.tracking.reason = "found again";
 }
 
 void Reconstruction::mark_outside(const RigidTransform& T_g_c) {

@@ -9,6 +9,7 @@
 #include "pipeline/depth_map_conversion.hpp"
 #include "pipeline/keyframes.hpp"
 #include "pipeline/raycasting.hpp"
+#include "pipeline/relocalisation.hpp"
 #include "pipeline/sample_weights.hpp"
 #include "pipeline/volumetric_integration.hpp"
 #include "platform/system/stage_timer.hpp"
@@ -22,7 +23,8 @@ struct ReconstructionConfig {
     VolumeConfig volume;
     SampleWeightConfig weights;
     ColorIntegrationConfig color;
-    bool use_color = true;  ///< brightness helps to track, where there is a colour picture
+    int proving_frames = 5;  ///< that a pose found again must be tracked well before it is fused
+    bool use_color = true;   ///< brightness helps to track, where there is a colour picture
 };
 
 /// What one frame gave.
@@ -37,7 +39,8 @@ struct ReconstructionFrame {
 /// view (an object that is turned by hand). Nothing while the view shows nothing.
 std::optional<RigidTransform> place_camera(const DepthView& view, float side_m);
 
-/// Figures 2 and 11 for a moving camera: track against the growing model, fuse, predict.
+/// Figures 2 and 11 for a moving camera: track against the growing model, fuse, predict. A camera that is
+/// lost is looked for around its last pose, then at the keyframes; the model is never wiped.
 class Reconstruction {
   public:
     /// `T_g_c` is the camera's pose at the first frame.
@@ -57,6 +60,7 @@ class Reconstruction {
 
   private:
     void track(bool has_intensity, ReconstructionFrame& frame);
+    void relocalise(const DepthView& view, ReconstructionFrame& frame);
     void mark_outside(const RigidTransform& T_g_c);
     void fuse(std::span<const std::uint8_t> color_rgb);
     void predict();
@@ -76,6 +80,8 @@ class Reconstruction {
     Kernel mark_outside_;
     Buffer<std::uint8_t> outside_;  // live pixels that are not of the volume
     KeyframeDatabase keyframes_;
+    std::optional<Relocalisation> relocalisation_;  // from the first loss on
+    int frames_to_prove_ = 0;                       // after a loss, tracked but not fused
     LiveMaps live_;
     SurfacePrediction prediction_;
     IntensityMaps live_intensity_, model_intensity_;

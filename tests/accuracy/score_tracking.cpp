@@ -1,0 +1,126 @@
+// score_tracking PROGRAM [CASE...]: runs `PROGRAM track` on recordings and simulations whose truth is known,
+// and prints a line for each: path error, surface error, memory.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <optional>
+
+#include "platform/openni2_drivers/simulator/mesh_source.hpp"
+#include "platform/system/error.hpp"
+#include "tests/accuracy/mesh_input.hpp"
+#include "tests/accuracy/path_score.hpp"
+#include "tests/accuracy/surface_score.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace touchstone {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Case {
+    std::string name;
+    std::string sequence;  ///< folder of the recordings, or empty
+    std::string simulation;
+    std::string options;
+    bool scores_surface = false;
+    bool aligns_surface = false;  ///< of an object that is turned: laid on its truth first
+};
+
+std::vector<Case> all_cases(int seed, int frames) {
+    const std::string tail = fmt::format("&seed={}", seed);
+    const auto room = [&](const std::string& keys, int count) {
+        return fmt::format("room?frames={}&{}{}", frames > 0 ? std::min(frames, count) : count, keys, tail);
+    };
+    const auto object = [&](const std::string& mesh) {
+        return fmt::format("object?frames={}&grip=fingers&noise=1{}{}", frames > 0 ? frames : 643,
+                           mesh.empty() ? "" : "&mesh=" + mesh, tail);
+    };
+    const std::string meshes = std::string(TOUCHSTONE_SHARED_DIR) + "/data/meshes/";
+    return {
+        {"kitchen", "redkitchen-000-299", "", "", false, false},
+        {"desk", "tum-fr1-rpy-000-119", "", "", false, false},
+        {"room", "", room("motion=sweep&noise=1", 500), "--side 3", true, false},
+        {"room-exact", "", room("motion=sweep&noise=0", 500), "--side 3", true, false},
+        {"room-fast", "", room("motion=rpy&noise=1", 300), "--side 3", false, false},
+        {"still", "", room("motion=still&noise=1", 1000), "--side 3", false, false},
+        {"wall", "", fmt::format("wall?frames={}&motion=still&noise=1{}", frames > 0 ? frames : 300, tail),
+         "--side 3", false, false},
+        {"bowl", "", object(""), "--side 0.32 --voxels 256", true, true},
+        {"bunny", "", object(meshes + "stanford-bunny.obj"), "--side 0.32 --voxels 256", true, true},
+        {"spot", "", object(meshes + "spot.obj"), "--side 0.32 --voxels 256", true, true}};
+}
+
+SurfaceMesh surface_of(const sim::TriangleMesh& mesh) {
+    SurfaceMesh surface;
+    for (const auto& v : mesh.vertices) surface.vertices_g_m.emplace_back(v);
+    for (const auto& t : mesh.triangles)
+        surface.triangles.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
+                                     static_cast<std::uint32_t>(t[2])});
+    return surface;
+}
+
+void run_case(const std::string& program, const Case& which) {
+    const TemporaryFolder folder;
+    const fs::path trajectory = folder.path() / "t", mesh_file = folder.path() / "m.ply",
+                   poses = folder.path() / "p";
+    const fs::path sequence = fs::path(TOUCHSTONE_SHARED_DIR) / "data" / which.sequence;
+    if (!which.sequence.empty() && !fs::exists(sequence)) {
+        std::printf("%-11s skipped: %s is not there\n", which.name.c_str(), sequence.c_str());
+        return;
+    }
+    const std::string sensor = which.sequence.empty() ? "sim:" + which.simulation + "&poses=" + poses.string()
+                                                      : "seq:" + sequence.string();
+    const std::string command = fmt::format(
+        "'{}' track --pace step --sensor '{}' --trajectory {} --mesh {} {} 2>/dev/null > {}", program, sensor,
+        trajectory.string(), mesh_file.string(), which.options, (folder.path() / "out").string());
+    if (std::system(command.c_str()) != 0) throw Error(ExitStatus::unavailable, "failed: " + command);
+    const auto estimate = read_trajectory(trajectory);
+    const auto truth = which.sequence.empty() ? read_trajectory(poses) : read_true_path(sequence);
+    const PathScore path = score_path(estimate, truth);
+    std::printf(
+        "%-11s %4zu tracked, ATE %.2f mm, largest %.2f mm; drift from the first pose at most %.2f mm, %.3f "
+        "deg\n",
+        which.name.c_str(), path.matched, path.ate_rmse_mm, path.ate_max_mm, path.drift_mm, path.drift_deg);
+    std::ifstream summary(folder.path() / "out");
+    std::string line;
+    if (std::getline(summary, line)) std::printf("            %s\n", line.substr(0, line.rfind(';')).c_str());
+    if (which.scores_surface) {
+        const SurfaceMesh surface = surface_of(truth_mesh(parse_simulator_uri(which.simulation)));
+        const SurfaceMesh mesh = read_mesh(mesh_file);
+        Eigen::Isometry3f T = (truth.front().T_w_c * estimate.front().T_w_c.inverse()).cast<float>();
+        if (which.aligns_surface) T = align_to_truth(mesh, surface, T);
+        const SurfaceScore score = score_surface(transformed(mesh, T), surface);
+        std::printf("            %s\n", line_of(score).c_str());
+    }
+    std::fflush(stdout);
+}
+
+int score(int argc, char** argv) {
+    CLI::App app("Scores paths and surfaces of `touchstone track` against the truth.");
+    std::string program;
+    std::vector<std::string> names;
+    int seed = 1, frames = 0;
+    app.add_option("PROGRAM", program, "touchstone")->required();
+    app.add_option(
+        "CASE", names,
+        "kitchen, desk, room, room-exact, room-fast, still, wall, bowl, bunny, spot; all by default");
+    app.add_option("--seed", seed, "of the simulations; up to 50 for tuning, above 100 for scores");
+    app.add_option("--frames", frames, "at most, of simulations");
+    CLI11_PARSE(app, argc, argv);
+    for (const Case& which : all_cases(seed, frames))
+        if (names.empty() || std::ranges::find(names, which.name) != names.end()) run_case(program, which);
+    return 0;
+}
+
+}  // namespace
+}  // namespace touchstone
+
+int main(int argc, char** argv) {
+    try {
+        return touchstone::score(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "score_tracking: %s\n", error.what());
+        return 1;
+    }
+}
