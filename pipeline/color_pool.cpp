@@ -36,7 +36,7 @@ std::size_t ColorPool::memory_bytes() const {
 
 void ColorPool::reserve(std::size_t slots) {
     if (slots <= capacity_) return;
-    const std::size_t capacity = std::max({slots, 2 * capacity_, first_capacity_bricks});
+    const std::size_t capacity = std::max({slots, capacity_ + capacity_ / 4, first_capacity_bricks});
     Buffer<std::uint32_t> colors(*device_, capacity * BRICK_VOXELS);
     colors.fill(0);
     if (capacity_ > 0) colors.copy_from(colors_);

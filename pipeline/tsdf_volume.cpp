@@ -86,7 +86,8 @@ void TsdfVolume::write(std::span<const std::int32_t> voxels) {
 void TsdfVolume::reserve(std::size_t slots) {
     if (slots <= capacity_) return;
     const auto limit = static_cast<std::size_t>(config_.max_bricks);
-    const std::size_t capacity = std::min(limit, std::max({slots, 2 * capacity_, first_capacity_bricks}));
+    const std::size_t capacity =
+        std::min(limit, std::max({slots, capacity_ + capacity_ / 4, first_capacity_bricks}));
     Buffer<int> pool(*device_, capacity * BRICK_VOXELS), brick_of_slot(*device_, capacity);
     Buffer<std::uint8_t> has_inside(*device_, capacity);
     pool.fill(0);
