@@ -77,7 +77,8 @@ void add(std::span<const float> row, AlignmentSums& sums) {
     sums.close += static_cast<double>(statistics[6]);
 }
 
-/// Lower is better: mean squared residual, with the cut-off's for every live pixel that has no pair.
+/// Lower is better: the root mean square residual plus 2 mm, metres, by the square of the share of live
+/// pixels that have a pair: a guess of which half as much fits must be four times as exact.
 double misfit(const AlignmentSums& sums) {
     if (sums.pairs < 1.0) return std::numeric_limits<double>::max();
     const double share = sums.pairs / std::max(sums.measured, 1.0);

@@ -23,6 +23,7 @@ void expect_same(const AlignmentSums& got, const AlignmentSums& expected, double
     EXPECT_NEAR(got.weighted_squares, expected.weighted_squares, share * expected.weighted_squares);
     EXPECT_NEAR(got.squares, expected.squares, share * expected.squares);
     EXPECT_NEAR(got.pairs, expected.pairs, share * expected.pairs);
+    EXPECT_NEAR(got.close, expected.close, share * expected.pairs);
 }
 
 /// Single precision rounds a point to the neighbouring pixel now and then, and a residual over a limit: sums
@@ -87,7 +88,8 @@ TEST_P(CameraTrackingSums, OfNothingAreZero) {
         for (int level = 0; level < 3; ++level) {
             const AlignmentSums got = sums.at(RigidTransform::Identity(), level);
             EXPECT_TRUE(got.A.isZero(0.0) && got.b.isZero(0.0));
-            EXPECT_EQ(got.weight + got.weighted_squares + got.squares + got.pairs + got.compared, 0.0);
+            EXPECT_EQ(got.weight + got.weighted_squares + got.squares + got.pairs + got.close + got.compared,
+                      0.0);
         }
     }
     // Everything behind the prediction's camera.

@@ -100,8 +100,8 @@ TEST(CameraTrackingKernels, PairsAreLimitedByDistanceAndByResidual) {
 }
 
 /// Rows weigh by the sensor's noise: the same wall at 3 m weighs (sigma(1 m) / sigma(3 m))^2 of one at 1 m,
-/// and a residual of 3 sigmas half by Huber at 1.5.
-TEST(CameraTrackingKernels, RowsWeighByNoiseAndByHuber) {
+/// and a residual of 3 sigmas half by Huber at 1.5, of which Tukey at 8 leaves (1 - (3 / 8)^2)^2 = 0.7385.
+TEST(CameraTrackingKernels, RowsWeighByNoiseAndByResidual) {
     const Intrinsics k = test::small_camera();
     CameraTrackingConfig config;
     config.noise.grazing = 0.0f;
@@ -117,9 +117,35 @@ TEST(CameraTrackingKernels, RowsWeighByNoiseAndByHuber) {
                  far_m = reference::sigma_m(config.noise, 3.0, 1.0);
     EXPECT_NEAR(mean_weight(1.0, 1.0), 1.0, 1e-4);
     EXPECT_NEAR(mean_weight(3.0, 3.0), near_m * near_m / (far_m * far_m), 1e-4);
-    EXPECT_NEAR(mean_weight(1.0, 1.0 + 3.0 * near_m), 0.5, 1e-3);
-    config.noise.grazing = 0.001f;  // the corners of the view are seen aslant
+    EXPECT_NEAR(mean_weight(1.0, 1.0 + 3.0 * near_m), 0.5 * 0.7385, 1e-3);
+    EXPECT_LT(mean_weight(1.0, 1.0 + 7.9 * near_m), 1e-3);  // no step at the cut-off
+    config.noise.grazing = 0.001f;                          // the corners of the view are seen aslant
     EXPECT_LT(mean_weight(1.0, 1.0), 0.9);
+}
+
+/// A residual of 1.9 sigmas is close, one of 2.1 is a pair only, and what the cut-off or the distance leaves
+/// out is neither.
+TEST(CameraTrackingKernels, PairsWithinTwoSigmasAreClose) {
+    const Intrinsics k = test::small_camera();
+    CameraTrackingConfig config;
+    config.noise.grazing = 0.0f;
+    const double sigma_m = reference::sigma_m(config.noise, 1.0, 1.0);
+    const auto sums_at = [&](double sigmas) {
+        const auto view = [&](double z) {
+            return test::view_of(k, test::wall({0.0, 0.0, 1.0}, z), RigidTransform::Identity());
+        };
+        return Sums(k, view(1.0), view(1.0 + sigmas * sigma_m), config).at(RigidTransform::Identity(), 0);
+    };
+    for (const double sign : {-1.0, 1.0}) {
+        EXPECT_GT(sums_at(1.9 * sign).close, 100.0);
+        EXPECT_EQ(sums_at(1.9 * sign).close, sums_at(1.9 * sign).pairs);
+        EXPECT_EQ(sums_at(2.1 * sign).close, 0.0);
+        EXPECT_GT(sums_at(2.1 * sign).pairs, 100.0);
+    }
+    config.levels[0].cutoff_sigmas = 1.0f;
+    EXPECT_EQ(sums_at(1.5).close, 0.0);
+    config.levels[0] = {4, 0.001f, 8.0f};
+    EXPECT_EQ(sums_at(1.5).close, 0.0);
 }
 
 /// Sums do not lose precision with the number of pixels: 300,000 rows give the means that 3,000 give. The

@@ -120,6 +120,12 @@ inline Eigen::Vector3f middle_of(OrientedPicture picture, Intrinsics k, int leve
     return count > 0.0 ? Eigen::Vector3f((sum / count).cast<float>()) : Eigen::Vector3f::UnitZ();
 }
 
+/// Huber's weight, limited by Tukey's, which is 0 at the cut-off; of a residual in sigmas.
+inline double robust_weight(const AlignmentParams& params, double sigmas) {
+    const double huber = std::min(1.0, params.huber_sigmas / std::max(sigmas, 1e-12));
+    return huber * std::pow(1.0 - std::pow(sigmas / params.cutoff_sigmas, 2.0), 2.0);
+}
+
 /// The sums of one level; `model` is of the full size, whatever the level of `live`.
 inline AlignmentSums sum_alignment(const OrientedPicture& live, const Intrinsics& live_k,
                                    const OrientedPicture& model, const Intrinsics& model_k,
@@ -143,10 +149,11 @@ inline AlignmentSums sum_alignment(const OrientedPicture& live, const Intrinsics
             const double sigma = sigma_m(params.noise, v.z(), n.dot(v.normalized()));
             if ((v_model - v).norm() >= params.max_distance_m) continue;
             if (n.dot(T.linear() * live.normals[u].cast<double>()) <= params.min_normal_cos) continue;
-            if (std::abs(r) >= params.cutoff_sigmas * sigma) continue;
-            const double huber = std::min(1.0, params.huber_sigmas * sigma / std::max(std::abs(r), 1e-12));
+            const double sigmas = std::abs(r) / sigma;
+            if (sigmas >= params.cutoff_sigmas) continue;
+            if (sigmas < 2.0) sums.close += 1.0;
             add_row(sums, v - centre_of(params), n, r,
-                    std::pow(params.reference_sigma_m / sigma, 2.0) * huber);
+                    std::pow(params.reference_sigma_m / sigma, 2.0) * robust_weight(params, sigmas));
         }
     }
     return sums;
