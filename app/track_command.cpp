@@ -18,6 +18,8 @@ namespace touchstone {
 
 namespace {
 
+constexpr std::size_t least_piece_divisor = 10;  // of an object's triangles, for a piece to be part of it
+
 ReconstructionConfig reconstruction_config(const TrackOptions& options) {
     ReconstructionConfig config;
     const InteractionConfig& interaction = options.config.interaction;
@@ -149,7 +151,10 @@ void write_results(const TrackOptions& options, const TrackSession& session) {
                     1000.0f * options.side_m / static_cast<float>(options.voxels),
                     static_cast<double>(reconstruction.volume().memory_bytes()) / 1e6);
     if (options.mesh_file) {
-        const SurfaceMesh mesh = extract_surface(volume);
+        SurfaceMesh mesh = extract_surface(volume);
+        // An object is one piece: what hands left in the air beside it is not of it.
+        if (options.side_m < object_side_m)
+            remove_small_pieces(mesh, static_cast<int>(mesh.triangles.size() / least_piece_divisor));
         write_mesh(*options.mesh_file, mesh);
         summary += fmt::format("; {}: {} triangles", *options.mesh_file, mesh.triangles.size());
     }

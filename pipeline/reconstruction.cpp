@@ -11,7 +11,6 @@ namespace touchstone {
 
 namespace {
 
-constexpr float object_side_m = 1.5f;        // a smaller cube is for an object
 constexpr float camera_inside_share = 0.1f;  // of the side, behind the front face
 constexpr std::size_t min_points = 1000;
 constexpr float outside_margin_m = 0.02f;

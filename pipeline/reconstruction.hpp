@@ -16,6 +16,9 @@
 
 namespace touchstone {
 
+/// A smaller cube is for an object that is turned by hand.
+inline constexpr float object_side_m = 1.5f;
+
 struct ReconstructionConfig {
     SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< of every stage
     DepthMapConversionConfig conversion;
