@@ -41,8 +41,20 @@ void add_volume_keys(KeyList& keys, Config& config) {
     keys.add("max_bricks", background.volume.max_bricks, 64, 1048576, "limit of the pool, 2 KiB each");
     keys.section("scan");
     keys.add("frames", interaction.scan_frames, 1, 1000, "frames until a still scene is live");
+    keys.add("wait_frames", interaction.stillness.wait_frames, 0, 100000,
+             "at most so long the scan waits for a view in which nothing moves");
     keys.add("file", config.scan_file,
              "a start goes on with this scan where it fits the view, else it is written anew; empty: none");
+}
+
+void add_object_keys(KeyList& keys, Config& config) {
+    ObjectsConfig& objects = config.interaction.background.objects;
+    keys.section("objects");
+    keys.add("settle_s", objects.settle_s, 0.2, 3600,
+             "what is put down and left becomes background after so long");
+    keys.add("max_side_m", objects.max_side_m, 0.02, 5, "larger things are people and furniture: never");
+    keys.add("export_dir", objects.export_dir,
+             "folder for meshes of what is lifted out of the scanned scene; empty: none");
 }
 
 void add_sensor_keys(KeyList& keys, Config& config) {
@@ -80,6 +92,7 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.section("compute");
     keys.add("device", config.compute.choice, "auto, gpu, cpu, or a part of the OpenCL device's name");
     add_volume_keys(keys, config);
+    add_object_keys(keys, config);
     keys.section("tuio");
     keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/kernel_program.hpp"
+
 namespace touchstone {
 
 namespace {
@@ -70,13 +72,19 @@ std::optional<VolumePlacement> place_volume(const DepthView& view, const Backgro
 BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& config,
                                  const Intrinsics& intrinsics, const VolumePlacement& placement,
                                  TsdfVolume volume)
-    : config_(config),
+    : device_(&device),
+      config_(config),
       placement_(placement),
       volume_(std::move(volume)),
       weighting_(device, config.weights, intrinsics),
       integration_(device, intrinsics, config.weights.noise),
       raycasting_(device, intrinsics),
-      prediction_(device, make_map_shape(intrinsics)) {
+      prediction_(device, make_map_shape(intrinsics)),
+      settled_(device, config.objects, intrinsics),
+      program_(load_kernel_program(device, "settled_objects.cl")),
+      join_masks_(program_.kernel("join_masks")),
+      left_out_(device, map_pixels(prediction_.shape)),
+      joined_(device, map_pixels(prediction_.shape)) {
     prediction_.depth_m.fill(0.0f);
     prediction_.normals_c.fill(0.0f);
 }
@@ -100,17 +108,87 @@ void BackgroundModel::scan(const LiveMaps& live) {
     raycasting_.raycast(volume_, placement_.T_g_c, prediction_);
 }
 
+void BackgroundModel::scan_anew(const LiveMaps& mean, std::span<const std::uint8_t> frames) {
+    volume_ = TsdfVolume(*device_, volume_.config());
+    std::vector<std::uint8_t> weights = weighting_.weigh(mean).read();
+    for (std::size_t at = 0; at < weights.size(); ++at)
+        weights[at] = weights[at] != 0 ? frames[at] : std::uint8_t{0};
+    joined_.write(weights);
+    integration_.integrate(volume_, mean.depth_m, joined_, placement_.T_g_c, all_layers(volume_));
+    raycasting_.raycast(volume_, placement_.T_g_c, prediction_);
+}
+
 void BackgroundModel::follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask) {
     const BrickLayers share = layer_share(volume_, next_part_, config_.refresh_parts);
     next_part_ = (next_part_ + 1) % config_.refresh_parts;
-    const std::vector<int>& changed =
-        integration_.integrate(volume_, live.depth_m, weighting_.weigh(live, mask), placement_.T_g_c, share);
+    const std::vector<int>& changed = integration_.integrate(
+        volume_, live.depth_m, weighting_.weigh(live, all_left_out(mask)), placement_.T_g_c, share);
     raycasting_.refresh(volume_, placement_.T_g_c, changed, prediction_);
+    settled_.lay_over(prediction_);
 }
 
 void BackgroundModel::move_camera(const RigidTransform& T_g_c) {
     placement_.T_g_c = T_g_c;
     raycasting_.raycast(volume_, T_g_c, prediction_);
+    settled_.move_camera(T_g_c);
+    settled_.lay_over(prediction_);
+    leave_out({});
+}
+
+void BackgroundModel::settle(const DepthPatch& object) {
+    settled_.add(object, volume_.config(), placement_.T_g_c);
+    settled_.lay_over(prediction_);
+}
+
+int BackgroundModel::drop_taken(const ObjectFrame& frame) {
+    const std::vector<PixelRegion> boxes = settled_.drop_taken(frame);
+    for (const PixelRegion& box : boxes) predict_again(box);
+    return static_cast<int>(boxes.size());
+}
+
+VolumeSnapshot BackgroundModel::cut_out(const UncoveredSurface& uncovered, const ObjectFrame& frame) {
+    VolumeSnapshot object = touchstone::cut_out(volume_, uncovered, frame, placement_.T_g_c);
+    const MapShape& shape = prediction_.shape;
+    std::vector<float> depth_m(map_pixels(shape), 0.0f);
+    std::vector<std::uint8_t> weights(map_pixels(shape), 0);
+    const PixelRegion& box = uncovered.mean.box;
+    for (int y = box.y0; y < box.y1; ++y) {
+        for (int x = box.x0; x < box.x1; ++x) {
+            if (!uncovered.is_inside(x, y)) continue;
+            depth_m[map_index(shape, x, y)] = uncovered.mean.at(x, y);
+            weights[map_index(shape, x, y)] = uncovered.mean.samples[uncovered.mean.index(x, y)];
+        }
+    }
+    joined_.write(weights);
+    integration_.integrate(volume_, Buffer<float>(*device_, depth_m), joined_, placement_.T_g_c,
+                           all_layers(volume_));
+    predict_again(box);
+    return object;
+}
+
+/// The tiles of a box, from the volume as it is.
+void BackgroundModel::predict_again(const PixelRegion& box) {
+    std::vector<int> tiles;
+    for (int y = box.y0 / TILE_PX; y * TILE_PX < box.y1; ++y) {
+        for (int x = box.x0 / TILE_PX; x * TILE_PX < box.x1; ++x)
+            tiles.push_back(y * tiles_per_row(prediction_.shape) + x);
+    }
+    raycasting_.raycast_tiles(volume_, placement_.T_g_c, tiles, prediction_);
+    settled_.lay_over(prediction_);
+}
+
+void BackgroundModel::leave_out(std::span<const UncoveredSurface> uncovered) {
+    leaves_out_ = !settled_.empty() || !uncovered.empty();
+    if (!leaves_out_) return;
+    std::vector<std::uint8_t> map = settled_.cover();
+    for (const UncoveredSurface& surface : uncovered) surface.mark(map, prediction_.shape);
+    left_out_.write(map);
+}
+
+const Buffer<std::uint8_t>& BackgroundModel::all_left_out(const Buffer<std::uint8_t>& mask) {
+    if (!leaves_out_) return mask;
+    join_masks_.launch(eight_pixels_each(prediction_.shape), mask, left_out_, joined_, prediction_.shape);
+    return joined_;
 }
 
 }  // namespace touchstone

@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "pipeline/maps.hpp"
+#include "pipeline/object_cutting.hpp"
 #include "pipeline/raycasting.hpp"
 #include "pipeline/sample_weights.hpp"
+#include "pipeline/settled_objects.hpp"
 #include "pipeline/tsdf_volume.hpp"
 #include "pipeline/types.hpp"
 #include "pipeline/volume_snapshot.hpp"
@@ -21,6 +23,7 @@ struct BackgroundConfig {
     bool fit_side = true;  ///< side and place from what the first frame sees, 1 to 5 m; else volume.side_m
     float max_volume_depth_m = 4.5f;  ///< what is farther away does not widen the fitted volume
     int refresh_parts = 8;            ///< while live, each frame keeps up one of so many slices
+    ObjectsConfig objects;
 };
 
 /// Where the volume lies: its side and the camera's pose in it.
@@ -48,12 +51,24 @@ class BackgroundModel {
 
     /// Fuses a whole frame and predicts the whole view: while scanning.
     void scan(const LiveMaps& live);
+    /// Forgets all that was fused and fuses a mean of several frames, `frames` of them at each pixel.
+    void scan_anew(const LiveMaps& mean, std::span<const std::uint8_t> frames);
     /// Fuses one slice of a masked frame and refreshes what changed: while live.
     void follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask);
     /// The camera is elsewhere: predicts the whole view from there.
     void move_camera(const RigidTransform& T_g_c);
 
+    /// Something was put down: from now on its surface is part of the prediction. The volume stays as it is.
+    void settle(const DepthPatch& object);
+    /// Things that were put down and are gone: what was there before is predicted again. Gives how many.
+    int drop_taken(const ObjectFrame& frame);
+    /// Moves what stood before an uncovered surface out of the volume and puts that surface there.
+    VolumeSnapshot cut_out(const UncoveredSurface& uncovered, const ObjectFrame& frame);
+    /// Pixels that follow() leaves out besides its mask: what was put down, and these surfaces.
+    void leave_out(std::span<const UncoveredSurface> uncovered);
+
     const TsdfVolume& volume() const { return volume_; }
+    const SettledObjects& settled() const { return settled_; }
     const SurfacePrediction& prediction() const { return prediction_; }
     const RigidTransform& T_g_c() const { return placement_.T_g_c; }
 
@@ -61,13 +76,22 @@ class BackgroundModel {
     BackgroundModel(const Device& device, const BackgroundConfig& config, const Intrinsics& intrinsics,
                     const VolumePlacement& placement, TsdfVolume volume);
 
+    const Device* device_;
     BackgroundConfig config_;
     VolumePlacement placement_;
     TsdfVolume volume_;
     SampleWeighting weighting_;
     VolumetricIntegration integration_;
     Raycasting raycasting_;
+    void predict_again(const PixelRegion& box);
+    const Buffer<std::uint8_t>& all_left_out(const Buffer<std::uint8_t>& mask);
+
     SurfacePrediction prediction_;
+    SettledObjects settled_;
+    Program program_;
+    Kernel join_masks_;
+    Buffer<std::uint8_t> left_out_, joined_;
+    bool leaves_out_ = false;
     int next_part_ = 0;
 };
 

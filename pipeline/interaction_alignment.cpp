@@ -47,6 +47,7 @@ void InteractionPipeline::take_pose(const RigidTransform& T_g_c) {
     const RigidTransform T_new_old = T_g_c.inverse() * background_->T_g_c();
     background_->move_camera(T_g_c);
     segmentation_.forget();
+    objects_.forget();
     segmentation_.learn(live_, background_->prediction());
     watch_.restart();
     if (area_)
@@ -63,6 +64,7 @@ void InteractionPipeline::scan_anew() {
     keyframes_ = KeyframeDatabase();
     area_.reset();
     segmentation_.forget();
+    objects_.forget();
     watch_.restart();
     scanned_frames_ = 0;
     aligning_ = nullptr;

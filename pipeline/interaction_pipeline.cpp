@@ -1,5 +1,7 @@
 #include "pipeline/interaction_pipeline.hpp"
 
+#include <cmath>
+
 #include "platform/system/log.hpp"
 
 namespace touchstone {
@@ -37,6 +39,8 @@ InteractionConfig with_shared_noise(InteractionConfig config) {
     config.segmentation.components.noise = config.noise;
     config.touch.map.noise = config.noise;
     config.watch.noise = config.noise;
+    config.background.objects.noise = config.noise;
+    config.stillness.noise = config.noise;
     config.realignment.relocalisation.tracking.noise = config.noise;
     return config;
 }
@@ -49,9 +53,11 @@ InteractionPipeline::InteractionPipeline(const Device& device, const Interaction
       shape_(make_map_shape(intrinsics)),
       conversion_(device, config_.conversion, intrinsics),
       live_(device, shape_),
+      stillness_(device, config_.stillness, intrinsics),
       segmentation_(device, config_.segmentation, intrinsics),
       drift_(device, config_.drift, intrinsics),
       touch_(device, config_.touch, intrinsics),
+      objects_(config_.background.objects, intrinsics),
       rendering_(device, config_.rendering, intrinsics),
       no_foreground_(device, map_pixels(shape_)),
       foreground_mask_(&no_foreground_),
@@ -101,26 +107,60 @@ bool InteractionPipeline::place_volume(const DepthView& view) {
     const std::optional<VolumePlacement> placement = touchstone::place_volume(view, config_.background);
     if (!placement) return false;
     background_.emplace(*device_, config_.background, intrinsics_, *placement);
+    stillness_.restart();
     return true;
 }
 
 void InteractionPipeline::scan(const DepthView& view, InteractionFrame& frame) {
     const StageTimer timer(times_, "background scan");
+    stillness_.judge(live_);
     background_->scan(live_);
     segmentation_.learn(live_, background_->prediction());
     device_->finish();
-    ++scanned_frames_;
     frame.state = InteractionState::scanning;
     frame.note = scan_reason_;
+    if (!waits_for_stillness(frame)) ++scanned_frames_;
     frame.scan_frames_done = scanned_frames_;
     frame.scan_progress = static_cast<float>(scanned_frames_) / static_cast<float>(config_.scan_frames);
     if (scanned_frames_ < config_.scan_frames) return;
+    keep_what_is_still();
     const TsdfVolume& volume = background_->volume();
     log_info("scanned: {} bricks of {:.1f} mm voxels, {:.0f} MB", volume.bricks_in_use(),
              1000.0f * volume.params().voxel_m, static_cast<double>(volume.memory_bytes()) / 1e6);
     keyframes_.add_if_new(make_small_picture(view), background_->T_g_c());
     scan_reason_.clear();
     fit_area();
+}
+
+/// The last frame of the scan waits until most of the view has stood still, for a time.
+bool InteractionPipeline::waits_for_stillness(InteractionFrame& frame) {
+    const bool last = scanned_frames_ + 1 >= config_.scan_frames;
+    const bool waits = last && stillness_.much_is_unknown() &&
+                       config_.scan_frames > config_.stillness.least_frames &&
+                       waited_frames_ < config_.stillness.wait_frames;
+    if (waits || stillness_.something_moves()) frame.note = "Something moves in the view: step back";
+    if (waits && waited_frames_++ == 0) log_info("the scan waits: something moves in the view");
+    return waits;
+}
+
+/// What was fused before it moved is left out.
+void InteractionPipeline::keep_what_is_still() {
+    waited_frames_ = 0;
+    const ScanStillness::StillView still = stillness_.still_view();
+    if (!still.replaces_scan || config_.scan_frames <= config_.stillness.least_frames) return;
+    std::vector<std::uint16_t> depth_mm;
+    for (int y = 0; y < shape_.height_px; ++y) {
+        for (int x = 0; x < shape_.width_px; ++x)
+            depth_mm.push_back(
+                static_cast<std::uint16_t>(std::lround(1000.0f * still.depth_m[map_index(shape_, x, y)])));
+    }
+    conversion_.convert({depth_mm, intrinsics_}, live_);
+    live_.depth_m.write(still.depth_m);
+    background_->scan_anew(live_, still.frames);
+    segmentation_.forget();
+    segmentation_.learn(live_, background_->prediction());
+    device_->finish();
+    log_info("the scan leaves out what moved");
 }
 
 void InteractionPipeline::fit_area() {
@@ -151,6 +191,7 @@ void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame&
         if (verdict == CameraVerdict::still) shift_before_doubt_.assign(before.begin(), before.end());
         conversion_.set_column_shift(drift_.update(live_, background, foreground));
     }
+    if (verdict == CameraVerdict::still) segment_objects(foreground, timestamp_us, frame);
     const StageTimer timer(times_, "volumetric integration, raycast");
     if (verdict == CameraVerdict::still) background_->follow(live_, foreground.background_mask);
     device_->finish();
@@ -168,6 +209,12 @@ void InteractionPipeline::detect_touches(const Foreground& foreground, std::uint
         touch_.detect({live_, background_->prediction(), foreground.mask, regions, *area_, timestamp_us});
     frame.touches = std::move(tracked.touches);
     frame.hovers = std::move(tracked.hovers);
+}
+
+void InteractionPipeline::segment_objects(const Foreground& foreground, std::uint64_t timestamp_us,
+                                          InteractionFrame& frame) {
+    const StageTimer timer(times_, "object segmentation");
+    frame.objects = objects_.update(live_, foreground, frame.touches, timestamp_us, *background_);
 }
 
 ShadedView InteractionPipeline::view() {

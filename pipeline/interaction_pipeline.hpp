@@ -11,9 +11,11 @@
 #include "pipeline/depth_map_conversion.hpp"
 #include "pipeline/foreground_segmentation.hpp"
 #include "pipeline/interactive_area.hpp"
+#include "pipeline/object_segmentation.hpp"
 #include "pipeline/realignment.hpp"
 #include "pipeline/rendering.hpp"
 #include "pipeline/scan_file.hpp"
+#include "pipeline/scan_stillness.hpp"
 #include "pipeline/touch_detection.hpp"
 #include "pipeline/types.hpp"
 #include "platform/system/stage_timer.hpp"
@@ -26,6 +28,7 @@ struct InteractionConfig {
     bool fit_area = true;                                ///< to the dominant plane; else `area`
     InteractiveArea area;
     DepthMapConversionConfig conversion;
+    ScanStillnessConfig stillness;
     BackgroundConfig background;
     ForegroundSegmentationConfig segmentation;
     ColumnDriftConfig drift;
@@ -52,6 +55,7 @@ struct InteractionFrame {
     std::string note;  ///< one line for the operator, empty when all is well
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;
+    ObjectChanges objects;  ///< put down, taken away, lifted out of the scan
 };
 
 /// Fig 14 for a fixed camera: scan the surroundings, then segment what moves, find touches, and follow the
@@ -82,9 +86,12 @@ class InteractionPipeline {
   private:
     bool place_volume(const DepthView& view);
     void scan(const DepthView& view, InteractionFrame& frame);
+    bool waits_for_stillness(InteractionFrame& frame);
+    void keep_what_is_still();
     void fit_area();
     void interact(std::uint64_t timestamp_us, InteractionFrame& frame);
     void detect_touches(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
+    void segment_objects(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
     CameraVerdict judge_camera(const Foreground& foreground);
     void begin_realigning(InteractionFrame& frame);
     void align(const DepthView& view, InteractionFrame& frame);
@@ -98,15 +105,17 @@ class InteractionPipeline {
     StageTimes times_;
     DepthMapConversion conversion_;
     LiveMaps live_;
+    ScanStillness stillness_;
     ForegroundSegmentation segmentation_;
     ColumnDrift drift_;
     TouchDetection touch_;
+    ObjectSegmentation objects_;
     Rendering rendering_;
     std::optional<BackgroundModel> background_;
     std::optional<InteractiveArea> area_;
     Buffer<std::uint8_t> no_foreground_;
     const Buffer<std::uint8_t>* foreground_mask_;  ///< of the last frame
-    int scanned_frames_ = 0;
+    int scanned_frames_ = 0, waited_frames_ = 0;
     CameraWatch watch_;
     Realignment realignment_, start_alignment_;
     Realignment* aligning_ = nullptr;        ///< the one that looks for the camera's pose

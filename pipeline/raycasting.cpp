@@ -60,6 +60,14 @@ void Raycasting::refresh(const TsdfVolume& volume, const RigidTransform& T_g_c,
     if (count > 0) launch(volume, T_g_c, count, prediction);
 }
 
+void Raycasting::raycast_tiles(const TsdfVolume& volume, const RigidTransform& T_g_c,
+                               std::span<const int> tiles, SurfacePrediction& prediction) {
+    if (tiles.empty()) return;
+    update_ranges(volume, T_g_c);
+    std::ranges::copy(tiles, tiles_.map_write().values().begin());
+    launch(volume, T_g_c, static_cast<int>(tiles.size()), prediction);
+}
+
 void Raycasting::update_ranges(const TsdfVolume& volume, const RigidTransform& T_g_c) {
     tile_near_.fill(std::bit_cast<int>(std::numeric_limits<float>::max()));
     tile_far_.fill(0);

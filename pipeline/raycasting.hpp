@@ -23,6 +23,10 @@ class Raycasting {
     void refresh(const TsdfVolume& volume, const RigidTransform& T_g_c, std::span<const int> changed_bricks,
                  SurfacePrediction& prediction);
 
+    /// Only these tiles (row by row, tiles_per_row of the map's shape), each once.
+    void raycast_tiles(const TsdfVolume& volume, const RigidTransform& T_g_c, std::span<const int> tiles,
+                       SurfacePrediction& prediction);
+
   private:
     void update_ranges(const TsdfVolume& volume, const RigidTransform& T_g_c);
     void launch(const TsdfVolume& volume, const RigidTransform& T_g_c, int tiles,

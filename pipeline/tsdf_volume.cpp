@@ -83,6 +83,17 @@ void TsdfVolume::write(std::span<const std::int32_t> voxels) {
     }
 }
 
+void TsdfVolume::write(std::span<const int> slots, std::span<const std::int32_t> voxels) {
+    const auto pool = pool_.map_update();
+    const auto has_inside = has_inside_.map_update();
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const auto brick = voxels.subspan(i * BRICK_VOXELS, BRICK_VOXELS);
+        const auto slot = static_cast<std::size_t>(slots[i]);
+        std::ranges::copy(brick, pool.values().subspan(slot * BRICK_VOXELS).begin());
+        has_inside[slot] = std::ranges::any_of(brick, is_inside) ? 1 : 0;
+    }
+}
+
 void TsdfVolume::reserve(std::size_t slots) {
     if (slots <= capacity_) return;
     const auto limit = static_cast<std::size_t>(config_.max_bricks);

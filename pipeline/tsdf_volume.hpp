@@ -56,6 +56,8 @@ class TsdfVolume {
     ColorPool& keep_colors();
     /// Overwrites the voxels of all slots in use, BRICK_VOXELS each, in slot order.
     void write(std::span<const std::int32_t> voxels);
+    /// Overwrites the voxels of some slots, BRICK_VOXELS each.
+    void write(std::span<const int> slots, std::span<const std::int32_t> voxels);
 
   private:
     void reserve(std::size_t slots);

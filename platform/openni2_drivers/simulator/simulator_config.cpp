@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view key_names =
     "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, mesh, "
-    "size_m, grip, knock_s, knock_deg, knock_mm";
+    "size_m, grip, object, put_s, take_s, cycle_s, knock_s, knock_deg, knock_mm";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -63,10 +63,42 @@ bool parse_grip(std::string_view name) {
     refuse(fmt::format("key grip must be none or fingers, not '{}'", name));
 }
 
+ObjectKind parse_object(std::string_view name) {
+    constexpr Names<ObjectKind, 5> kinds{{
+        {"none", ObjectKind::none},
+        {"box", ObjectKind::box},
+        {"ball", ObjectKind::ball},
+        {"can", ObjectKind::can},
+        {"book", ObjectKind::book},
+    }};
+    if (const auto kind = find_name(kinds, name)) return *kind;
+    refuse(fmt::format("key object must be none, box, ball, can or book, not '{}'", name));
+}
+
+/// What the keys of the object say together.
+void check_object(const SimulatorConfig& config) {
+    constexpr double visit_s = 1.5;  // a hand's way in or out, with the moment it holds the object
+    const bool timed = config.put_s >= 0.0 || config.take_s >= 0.0 || config.cycle_s > 0.0;
+    if (timed && config.object == ObjectKind::none)
+        refuse("keys put_s, take_s and cycle_s need an object: object=box, ball, can or book");
+    if (config.take_s >= 0.0 && config.take_s < config.put_s + 2.0 * visit_s && config.put_s >= 0.0)
+        refuse(fmt::format("key take_s must be at least put_s + {}", 2.0 * visit_s));
+    if (config.cycle_s > 0.0 &&
+        (config.put_s < visit_s || config.take_s < 0.0 || config.cycle_s < config.take_s + visit_s))
+        refuse(fmt::format("key cycle_s needs put_s of at least {}, take_s, and must be at least take_s + {}",
+                           visit_s, visit_s));
+    if (config.hands > 0 && config.put_s >= 0.0 && config.empty_s < config.put_s + visit_s)
+        refuse(fmt::format(
+            "key empty must be at least put_s + {}: hands must not touch what is not there yet", visit_s));
+    if (config.take_s >= 0.0 && config.hands > 0)
+        refuse("key take_s needs hands=0: hands would touch what is no longer there");
+}
+
 /// Whether a key says anything about a scene of this kind.
 bool applies(std::string_view key, SimulatedScene scene) {
     const bool object = scene == SimulatedScene::object;
-    for (const std::string_view of_tables : {"hands", "human", "truth", "height", "tilt", "empty"})
+    for (const std::string_view of_tables :
+         {"hands", "human", "truth", "height", "tilt", "empty", "object", "put_s", "take_s", "cycle_s"})
         if (key == of_tables) return is_table(scene);
     for (const std::string_view of_objects : {"mesh", "size_m", "grip"})
         if (key == of_objects) return object;
@@ -140,6 +172,20 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
     return true;
 }
 
+bool set_object(SimulatorConfig& config, std::string_view key, std::string_view value) {
+    if (key == "object")
+        config.object = parse_object(value);
+    else if (key == "put_s")
+        config.put_s = parse_number(key, value, 0.0, 3600.0);
+    else if (key == "take_s")
+        config.take_s = parse_number(key, value, 0.0, 3600.0);
+    else if (key == "cycle_s")
+        config.cycle_s = parse_number(key, value, 0.0, 3600.0);
+    else
+        return false;
+    return true;
+}
+
 bool set_text(SimulatorConfig& config, std::string_view key, std::string_view value) {
     if (key == "truth")
         config.truth_path = parse_path(key, value);
@@ -165,7 +211,7 @@ void set_pair(Parsed& parsed, std::string_view pair, std::string_view scene) {
     const std::string_view value = pair.substr(equals + 1);
     if (!applies(key, parsed.config.scene)) refuse(fmt::format("key {} is not for the scene {}", key, scene));
     if (set_switch(parsed, key, value) || set_number(parsed.config, key, value) ||
-        set_text(parsed.config, key, value))
+        set_object(parsed.config, key, value) || set_text(parsed.config, key, value))
         return;
     refuse(fmt::format("unknown key '{}'; the keys are {}", key, key_names));
 }
@@ -184,6 +230,7 @@ SimulatorConfig parse_simulator_uri(std::string_view uri_after_scheme) {
         set_pair(parsed, rest.substr(0, end), scene);
         rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
     }
+    check_object(parsed.config);
     parsed.config.drift = parsed.drift.value_or(parsed.config.noise);
     return parsed.config;
 }

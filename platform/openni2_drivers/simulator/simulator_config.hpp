@@ -19,6 +19,9 @@ enum class CameraMotion {
     slide,  ///< sideways, to and fro
 };
 
+/// What a hand puts on a table, or takes from it.
+enum class ObjectKind { none, box, ball, can, book };
+
 /// Whether hands touch a table in the scene.
 constexpr bool is_table(SimulatedScene scene) { return scene <= SimulatedScene::mixed; }
 
@@ -45,6 +48,10 @@ struct SimulatorConfig {
     double knock_s = 5.0;    ///< when the camera is knocked, in one frame step
     double knock_deg = 0.0;  ///< it turns by so much about an axis from the seed
     double knock_mm = 0.0;   ///< and is shifted by so much in a direction from the seed
+    ObjectKind object = ObjectKind::none;
+    double put_s = -1.0;     ///< when the object is set down; negative: it is there from the start
+    double take_s = -1.0;    ///< when it is taken hold of; negative: never
+    double cycle_s = 0.0;    ///< 0: once; else all of this again after so long
     std::string poses_path;  ///< empty = no poses: the camera's true pose in the scene, a line for each frame
 };
 

@@ -8,6 +8,7 @@
 #include "platform/openni2_drivers/simulator/hand_script.hpp"
 #include "platform/openni2_drivers/simulator/knock.hpp"
 #include "platform/openni2_drivers/simulator/mask_files.hpp"
+#include "platform/openni2_drivers/simulator/placed_object.hpp"
 #include "platform/openni2_drivers/simulator/pose_writer.hpp"
 #include "platform/openni2_drivers/simulator/static_layer.hpp"
 #include "platform/openni2_drivers/simulator/truth_writer.hpp"
@@ -37,6 +38,19 @@ std::optional<TipTruth> tip_truth(const RoundCone& tip, int hand, int finger, co
     return TipTruth{hand, finger, 1000.0F * gap, 1000.0F * view.to_camera(on_surface_s)};
 }
 
+std::optional<PlacedObject> make_placed(const SimulatorConfig& config, const Scene& scene,
+                                        const TableView& view) {
+    if (config.object == ObjectKind::none) return std::nullopt;
+    return PlacedObject(config, scene, view);
+}
+
+/// What hands touch: an object that stays counts from the start.
+Scene with_object(const Scene& scene, const std::optional<PlacedObject>& placed) {
+    std::vector<Shape> shapes = scene.shapes();
+    if (placed) shapes.push_back(placed->resting());
+    return Scene(std::move(shapes));
+}
+
 }  // namespace
 
 struct SimulatorSource::State {
@@ -45,11 +59,14 @@ struct SimulatorSource::State {
           view(make_table_view(config.height_m, config.tilt_deg)),
           scene(make_scene(config.scene, config.seed, reach_m(view))),
           static_depth_m(render_static_depth(scene, view)),
+          placed(make_placed(config, scene, view)),
+          touched(with_object(scene, placed)),
+          touched_depth_m(placed ? render_static_depth(touched, view) : static_depth_m),
           info(make_info(config, view)),
           noise(config.seed, view.intrinsics.fx_px, config.noise, config.drift) {
         for (int hand = 0; hand < config.hands; ++hand) {
             const float half = config.hands < 2 ? 0.0F : hand == 0 ? -1.0F : 1.0F;
-            scripts.emplace_back(config, Workplace{scene, view, static_depth_m, half}, hand);
+            scripts.emplace_back(config, Workplace{touched, view, touched_depth_m, half}, hand);
         }
         if (!config.truth_path.empty()) truth.emplace(config.truth_path, config.rate_hz);
         if (!config.poses_path.empty()) poses.emplace(config.poses_path);
@@ -57,6 +74,7 @@ struct SimulatorSource::State {
 
     void follow_camera(double time_s);
     void draw(double time_s);
+    void draw_placed(double time_s);
     void write_truth();
     void make_color(std::vector<std::uint8_t>& color_rgb);
 
@@ -64,7 +82,11 @@ struct SimulatorSource::State {
     TableView view;  ///< of the camera as it was set up: what the hands reckon with
     Scene scene;
     std::vector<float> static_depth_m;  ///< in `view`
-    TableView seen = view;              ///< of the camera as it is: elsewhere after a knock
+    std::optional<PlacedObject> placed;
+    Scene touched;                       ///< the scene with the object
+    std::vector<float> touched_depth_m;  ///< of that, in `view`
+    PlacedObject::Moment placed_moment;  ///< of this frame
+    TableView seen = view;               ///< of the camera as it is: elsewhere after a knock
     std::vector<float> seen_depth_m = static_depth_m;
     std::vector<std::uint8_t> static_color_rgb;  ///< made when colour is first asked for
     SourceInfo info;
@@ -89,6 +111,7 @@ void SimulatorSource::State::follow_camera(double time_s) {
 void SimulatorSource::State::draw(double time_s) {
     clear_picture(picture, seen_depth_m);
     moments.clear();
+    if (placed) draw_placed(time_s);
     for (HandScript& script : scripts) {
         const auto owner = static_cast<int>(moments.size());
         moments.push_back(script.at(time_s));
@@ -96,15 +119,22 @@ void SimulatorSource::State::draw(double time_s) {
     }
 }
 
+void SimulatorSource::State::draw_placed(double time_s) {
+    placed_moment = placed->at(time_s);
+    if (placed_moment.object) draw_shape(picture, *placed_moment.object, seen);
+    // Its owner is one that no script has.
+    if (placed_moment.hand) draw_hand(picture, *placed_moment.hand, config.hands, seen);
+}
+
 void SimulatorSource::State::write_truth() {
     std::vector<TipTruth> tips;
     for (std::size_t i = 0; i < moments.size(); ++i) {
         if (!moments[i]) continue;
         const auto hand = static_cast<int>(i);
-        if (const auto index = tip_truth(moments[i]->hand.index(), hand, 0, scene, seen))
+        if (const auto index = tip_truth(moments[i]->hand.index(), hand, 0, touched, seen))
             tips.push_back(*index);
         if (!moments[i]->thumb_in_use) continue;
-        if (const auto thumb = tip_truth(moments[i]->hand.thumb(), hand, 1, scene, seen))
+        if (const auto thumb = tip_truth(moments[i]->hand.thumb(), hand, 1, touched, seen))
             tips.push_back(*thumb);
     }
     truth->add_frame(tips);
@@ -113,6 +143,9 @@ void SimulatorSource::State::write_truth() {
 void SimulatorSource::State::make_color(std::vector<std::uint8_t>& color_rgb) {
     if (static_color_rgb.empty()) static_color_rgb = render_static_color(scene, seen, seen_depth_m);
     color_rgb = static_color_rgb;
+    if (placed_moment.object) color_shape(color_rgb, picture, *placed_moment.object, seen);
+    if (placed_moment.hand)
+        color_hand(color_rgb, picture, *placed_moment.hand, placed->hand_shape(), config.hands, seen);
     for (std::size_t i = 0; i < moments.size(); ++i)
         if (moments[i])
             color_hand(color_rgb, picture, moments[i]->hand, scripts[i].shape(), static_cast<int>(i), seen);

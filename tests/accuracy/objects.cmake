@@ -1,0 +1,8 @@
+touchstone_library(touchstone_object_accuracy object_run.cpp)
+target_link_libraries(touchstone_object_accuracy PUBLIC touchstone_pipeline touchstone_simulator PRIVATE fmt::fmt)
+
+add_executable(score_objects score_objects.cpp)
+target_link_libraries(score_objects PRIVATE touchstone_object_accuracy)
+touchstone_warnings(score_objects)
+
+touchstone_test(object_run_test SOURCES object_run_test.cpp LIBRARIES touchstone_object_accuracy LABELS accuracy)

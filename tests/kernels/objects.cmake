@@ -1,0 +1,1 @@
+touchstone_test(object_kernel_tests SOURCES object_kernels_test.cpp LIBRARIES touchstone_pipeline)
