@@ -57,6 +57,16 @@ void add_object_keys(KeyList& keys, Config& config) {
              "folder for meshes of what is lifted out of the scanned scene; empty: none");
 }
 
+void add_foreground_keys(KeyList& keys, Config& config) {
+    ForegroundModelConfig& foreground = config.interaction.foreground;
+    keys.section("foreground");
+    keys.add("reconstruct", foreground.reconstruct,
+             "what moves gets a model of its own, else it is shown as measured");
+    keys.add("most_volumes", foreground.most_volumes, 1, 8, "things that have one at a time");
+    keys.section("rendering");
+    keys.add("view", config.interaction.rendering.view, "of the table: shaded, or normals as colours");
+}
+
 void add_sensor_keys(KeyList& keys, Config& config) {
     DepthMapConversionConfig& conversion = config.interaction.conversion;
     keys.section("sensor");
@@ -93,6 +103,7 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("device", config.compute.choice, "auto, gpu, cpu, or a part of the OpenCL device's name");
     add_volume_keys(keys, config);
     add_object_keys(keys, config);
+    add_foreground_keys(keys, config);
     keys.section("tuio");
     keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");

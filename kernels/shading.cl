@@ -1,5 +1,5 @@
-/* The table as the camera sees it (Fig 12c without meshes, Fig 14f): the background's raycast shaded, the moving foreground
- * over it in another colour. Eight pixels a work-item; RGBA, alpha 0 on the foreground. */
+/* The table as the camera sees it (Fig 12c without meshes, Fig 14f): the background's raycast shaded, the foreground's over it
+ * in another colour. Eight pixels a work-item; RGBA, alpha 0 on the foreground. */
 
 typedef struct Colour8 {
     float8 r, g, b;
@@ -30,8 +30,23 @@ inline Colour8 choose8(const Colour8 otherwise, const Colour8 where_set, const i
 
 inline uint8 to_byte8(const float8 value) { return convert_uint8_rte(clamp(value, 0.0f, 1.0f) * 255.0f); }
 
+/* Alpha 0 on the foreground. */
+inline uint8 pack_rgba8(const Colour8 colour, const int8 moving) {
+    const uint8 alpha = select((uint8)(255u), (uint8)(0u), as_uint8(moving));
+    return to_byte8(colour.r) | (to_byte8(colour.g) << 8) | (to_byte8(colour.b) << 16) | (alpha << 24);
+}
+
+/* A normal that is missing faces the camera. */
+inline Points8 load_facing8(__global const float* normals, const MapShape shape, const int at) {
+    const Points8 n = load_normals8(normals, shape, at);
+    const int8 has_normal = dot8(n, n) > 0.0f;
+    const Points8 shown = {select((float8)(0.0f), n.x, has_normal), select((float8)(0.0f), n.y, has_normal),
+                           select((float8)(-1.0f), n.z, has_normal)};
+    return shown;
+}
+
 __kernel void shade_view(__global const float* background_m, __global const float* background_normals_c,
-                         __global const float* live_normals_c, __global const uchar* foreground,
+                         __global const float* foreground_normals_c, __global const uchar* foreground,
                          __global uint* rgba, const MapShape shape, const Intrinsics k, const ShadingParams params) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;
     const Points8 ray_c = pixel_rays8(k, x, y);
@@ -42,13 +57,22 @@ __kernel void shade_view(__global const float* background_m, __global const floa
     const Colour8 unknown = {(float8)(params.unknown.x), (float8)(params.unknown.y), (float8)(params.unknown.z)};
     colour = choose8(unknown, colour, depth_m > 0.0f);
     if (any(moving)) {
-        const Points8 live = load_normals8(live_normals_c, shape, at);
-        const Points8 towards_camera = {(float8)(0.0f), (float8)(0.0f), (float8)(-1.0f)};
-        const int8 has_normal = dot8(live, live) > 0.0f;
-        const Points8 shown = {select(towards_camera.x, live.x, has_normal), select(towards_camera.y, live.y, has_normal),
-                               select(towards_camera.z, live.z, has_normal)};
+        const Points8 shown = load_facing8(foreground_normals_c, shape, at);
         colour = choose8(colour, phong8(shown, ray_c, params.foreground, params.light_c), moving);
     }
-    const uint8 alpha = select((uint8)(255u), (uint8)(0u), as_uint8(moving));
-    vstore8(to_byte8(colour.r) | (to_byte8(colour.g) << 8) | (to_byte8(colour.b) << 16) | (alpha << 24), 0, rgba + at);
+    vstore8(pack_rgba8(colour, moving), 0, rgba + at);
+}
+
+/* The normals of background and foreground as colours (Fig 15): red to the right, green up, blue towards the camera. */
+__kernel void show_normals(__global const float* background_m, __global const float* background_normals_c,
+                           __global const float* foreground_normals_c, __global const uchar* foreground,
+                           __global uint* rgba, const MapShape shape, const Intrinsics k, const ShadingParams params) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;
+    const int8 moving = convert_int8(vload8(0, foreground + at)) != 0;
+    const int8 known = (vload8(0, background_m + at) > 0.0f) | moving;
+    const Points8 a = load_normals8(background_normals_c, shape, at), b = load_facing8(foreground_normals_c, shape, at);
+    const Colour8 of_normal = {0.5f + 0.5f * select(a.x, b.x, moving), 0.5f - 0.5f * select(a.y, b.y, moving),
+                               0.5f - 0.5f * select(a.z, b.z, moving)};
+    const Colour8 unknown = {(float8)(params.unknown.x), (float8)(params.unknown.y), (float8)(params.unknown.z)};
+    vstore8(pack_rgba8(choose8(unknown, of_normal, known), moving), 0, rgba + at);
 }

@@ -74,8 +74,21 @@ typedef struct ColorParams {
 enum BrickClass { BRICK_HIDDEN = 0, BRICK_NEAR_SURFACE = 1, BRICK_FREE_SPACE = 2 };
 
 /* A voxel is one int: bits 0-15 TSDF / max_truncation * TSDF_SCALE, bits 16-23 weight (0 = unknown),
- * bits 24-31 average of the TSDF's change (for the adaptive weight of moving surfaces). */
+ * bits 24-31 signed average of the TSDF's change * CHANGE_SCALE (for the adaptive weight of moving surfaces). */
 #define TSDF_SCALE 32766.0f
+
+/* Listing 2 for what moves: the stored weight is kept while the average of the TSDF's change stays below calm_sigmas of the
+ * sensor's noise, is down to least_weight from moving_sigmas on, and between them falls with the square. A sample counts
+ * change_share in that average. Pixels of weight SAMPLE_FREE_ONLY say where nothing is, not where a surface is. */
+#define SAMPLE_FREE_ONLY 255
+#define CHANGE_SCALE 127.0f
+typedef struct AdaptiveWeightParams {
+    float change_share, calm_sigmas, moving_sigmas;
+    int least_weight;
+} AdaptiveWeightParams;
+
+/* Where a pixel of the foreground's surface comes from. */
+enum ForegroundSource { FOREGROUND_NONE = 0, FOREGROUND_LIVE = 1, FOREGROUND_MODEL = 2 };
 
 /* Listing 4: the foreground overlaps the background where its signed distance to it, in metres, is more than
  * -threshold_sigmas sigma_z and less than finger_thickness_m + threshold_sigmas sigma_z. */

@@ -15,6 +15,7 @@ void InteractionPipeline::begin_realigning(InteractionFrame& frame) {
     aligning_ = &realignment_;
     aligning_->start(background_->T_g_c());
     foreground_mask_ = &no_foreground_;
+    if (foreground_model_) foreground_model_->forget();
     drift_.restore(shift_before_doubt_);
     conversion_.set_column_shift(drift_.shift_per_m());
     frame.touches = touch_.release_all();

@@ -38,6 +38,8 @@ InteractionConfig with_shared_noise(InteractionConfig config) {
     config.segmentation.association.noise = config.noise;
     config.segmentation.components.noise = config.noise;
     config.touch.map.noise = config.noise;
+    config.foreground.weights.noise = config.noise;
+    config.foreground.tracking.noise = config.noise;
     config.watch.noise = config.noise;
     config.background.objects.noise = config.noise;
     config.stillness.noise = config.noise;
@@ -65,6 +67,7 @@ InteractionPipeline::InteractionPipeline(const Device& device, const Interaction
       realignment_(device, config_.realignment, intrinsics),
       start_alignment_(device, at_start(config_), intrinsics) {
     no_foreground_.fill(0);
+    if (config_.foreground.reconstruct) foreground_model_.emplace(device, config_.foreground, intrinsics);
 }
 
 void InteractionPipeline::use_scan(const SavedScan& scan) {
@@ -84,6 +87,7 @@ SavedScan InteractionPipeline::saved_scan() const {
 
 InteractionFrame InteractionPipeline::process(const DepthView& view, std::uint64_t timestamp_us) {
     InteractionFrame frame;
+    foreground_is_modelled_ = false;
     {
         const StageTimer whole(times_, "frame");
         {
@@ -185,6 +189,7 @@ void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame&
     }
     foreground_mask_ = &foreground.mask;
     if (verdict == CameraVerdict::still) detect_touches(foreground, timestamp_us, frame);
+    if (verdict == CameraVerdict::still) reconstruct_foreground(foreground);
     {
         const StageTimer timer(times_, "sensor drift");
         const std::span<const float> before = drift_.shift_per_m();
@@ -195,6 +200,13 @@ void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame&
     const StageTimer timer(times_, "volumetric integration, raycast");
     if (verdict == CameraVerdict::still) background_->follow(live_, foreground.background_mask);
     device_->finish();
+}
+
+void InteractionPipeline::reconstruct_foreground(const Foreground& foreground) {
+    if (!foreground_model_) return;
+    const StageTimer timer(times_, "foreground reconstruction");
+    foreground_model_->update(live_, foreground);
+    foreground_is_modelled_ = true;
 }
 
 void InteractionPipeline::detect_touches(const Foreground& foreground, std::uint64_t timestamp_us,
@@ -219,7 +231,10 @@ void InteractionPipeline::segment_objects(const Foreground& foreground, std::uin
 
 ShadedView InteractionPipeline::view() {
     if (!background_) return {};
-    return rendering_.render(background_->prediction(), live_, *foreground_mask_);
+    if (!foreground_is_modelled_)
+        return rendering_.render(background_->prediction(), {live_.normals_c, *foreground_mask_});
+    return rendering_.render(background_->prediction(),
+                             {foreground_model_->surface().normals_c, foreground_model_->source()});
 }
 
 std::vector<std::uint8_t> InteractionPipeline::foreground_map() const {

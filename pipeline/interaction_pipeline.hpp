@@ -9,6 +9,7 @@
 #include "pipeline/camera_watch.hpp"
 #include "pipeline/column_drift.hpp"
 #include "pipeline/depth_map_conversion.hpp"
+#include "pipeline/foreground_model.hpp"
 #include "pipeline/foreground_segmentation.hpp"
 #include "pipeline/interactive_area.hpp"
 #include "pipeline/object_segmentation.hpp"
@@ -35,6 +36,7 @@ struct InteractionConfig {
     TouchDetectionConfig touch;
     InteractiveAreaConfig area_fit;
     RenderingConfig rendering;
+    ForegroundModelConfig foreground;
     CameraWatchConfig watch;
     RealignmentConfig realignment;
     int saved_scan_frames = 60;  ///< in which a saved scan must be found to fit
@@ -80,6 +82,12 @@ class InteractionPipeline {
     /// Null until something was seen.
     const BackgroundModel* background() const { return background_ ? &*background_ : nullptr; }
     const CameraWatch& watch() const { return watch_; }
+    /// Fig 14e; null where foreground.reconstruct is off.
+    const ForegroundModel* foreground_model() const {
+        return foreground_model_ ? &*foreground_model_ : nullptr;
+    }
+    /// As measured, of the last frame.
+    const LiveMaps& live() const { return live_; }
     /// Stages by the paper's names, and "frame" for all of process().
     const StageTimes& stage_times() const { return times_; }
 
@@ -90,6 +98,7 @@ class InteractionPipeline {
     void keep_what_is_still();
     void fit_area();
     void interact(std::uint64_t timestamp_us, InteractionFrame& frame);
+    void reconstruct_foreground(const Foreground& foreground);
     void detect_touches(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
     void segment_objects(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
     CameraVerdict judge_camera(const Foreground& foreground);
@@ -111,6 +120,8 @@ class InteractionPipeline {
     TouchDetection touch_;
     ObjectSegmentation objects_;
     Rendering rendering_;
+    std::optional<ForegroundModel> foreground_model_;
+    bool foreground_is_modelled_ = false;  ///< in the last frame
     std::optional<BackgroundModel> background_;
     std::optional<InteractiveArea> area_;
     Buffer<std::uint8_t> no_foreground_;

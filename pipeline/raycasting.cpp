@@ -39,6 +39,21 @@ void Raycasting::raycast(const TsdfVolume& volume, const RigidTransform& T_g_c,
     launch(volume, T_g_c, tile_count(shape_), prediction);
 }
 
+void Raycasting::raycast(const TsdfVolume& volume, const RigidTransform& T_g_c, const PixelRegion& region,
+                         SurfacePrediction& prediction) {
+    if (region.empty()) return;
+    update_ranges(volume, T_g_c);
+    int count = 0;
+    {
+        const auto tiles = tiles_.map_write();
+        for (int y = region.y0 / TILE_PX; y <= (region.y1 - 1) / TILE_PX; ++y) {
+            for (int x = region.x0 / TILE_PX; x <= (region.x1 - 1) / TILE_PX; ++x)
+                tiles[static_cast<std::size_t>(count++)] = y * tiles_per_row(shape_) + x;
+        }
+    }
+    launch(volume, T_g_c, count, prediction);
+}
+
 void Raycasting::refresh(const TsdfVolume& volume, const RigidTransform& T_g_c,
                          std::span<const int> changed_bricks, SurfacePrediction& prediction) {
     if (changed_bricks.empty()) return;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "pipeline/maps.hpp"
+#include "pipeline/pixel_region.hpp"
 #include "pipeline/tsdf_volume.hpp"
 #include "pipeline/types.hpp"
 #include "platform/opencl/program.hpp"
@@ -17,6 +18,9 @@ class Raycasting {
 
     /// The whole view.
     void raycast(const TsdfVolume& volume, const RigidTransform& T_g_c, SurfacePrediction& prediction);
+    /// Only the tiles that hold pixels of the region; the rest of the prediction stays as it is.
+    void raycast(const TsdfVolume& volume, const RigidTransform& T_g_c, const PixelRegion& region,
+                 SurfacePrediction& prediction);
     /// Only the tiles that can see one of the changed bricks (table indices). With the pose of the last
     /// raycast the result is the same as raycast()'s; that is the cached background prediction of a fixed
     /// camera.

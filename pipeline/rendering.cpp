@@ -6,18 +6,27 @@
 
 namespace touchstone {
 
+namespace {
+
+const char* kernel_of_view(const std::string& view) {
+    if (view == "shaded") return "shade_view";
+    if (view == "normals") return "show_normals";
+    throw Error(ExitStatus::configuration, "rendering.view is shaded or normals");
+}
+
+}  // namespace
+
 Rendering::Rendering(const Device& device, const RenderingConfig& config, const Intrinsics& intrinsics)
     : config_(config),
       intrinsics_(intrinsics),
       shape_(make_map_shape(intrinsics)),
       program_(load_kernel_program(device, "shading.cl")),
-      shade_view_(program_.kernel("shade_view")),
+      show_(program_.kernel(kernel_of_view(config.view))),
       rgba_(device, map_pixels(shape_)) {}
 
-ShadedView Rendering::render(const SurfacePrediction& background, const LiveMaps& live,
-                             const Buffer<std::uint8_t>& foreground) {
-    shade_view_.launch(eight_pixels_each(shape_), background.depth_m, background.normals_c, live.normals_c,
-                       foreground, rgba_, shape_, intrinsics_, config_.shading);
+ShadedView Rendering::render(const SurfacePrediction& background, const ForegroundLayer& foreground) {
+    show_.launch(eight_pixels_each(shape_), background.depth_m, background.normals_c, foreground.normals_c,
+                 foreground.mask, rgba_, shape_, intrinsics_, config_.shading);
     ShadedView view{shape_.width_px, shape_.height_px, {}};
     const std::size_t row_bytes = 4 * static_cast<std::size_t>(shape_.width_px);
     view.rgba.resize(row_bytes * static_cast<std::size_t>(shape_.height_px));

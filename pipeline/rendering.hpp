@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "pipeline/maps.hpp"
 #include "pipeline/types.hpp"
@@ -9,6 +10,7 @@
 namespace touchstone {
 
 struct RenderingConfig {
+    std::string view = "shaded";  ///< or "normals": as colours
     ShadingParams shading{
         .background = {0.62f, 0.66f, 0.72f, 0.16f},
         .foreground = {0.93f, 0.62f, 0.42f, 0.10f},
@@ -17,21 +19,27 @@ struct RenderingConfig {
     };
 };
 
-/// Fig 12c, Fig 14f: the camera's view, background and foreground shaded apart.
+/// A surface of the foreground from the camera: the live one, or the raycast of its volumes.
+struct ForegroundLayer {
+    const Buffer<float>& normals_c;    ///< a pixel without normal is taken to face the camera
+    const Buffer<std::uint8_t>& mask;  ///< not 0 where it is in front of the background
+};
+
+/// Fig 12c, Fig 14f, Fig 15: the camera's view, background and foreground shaded apart, or the normals of
+/// both.
 class Rendering {
   public:
+    /// Throws Error{configuration} for a view that there is not.
     Rendering(const Device& device, const RenderingConfig& config, const Intrinsics& intrinsics);
 
-    /// `foreground`: not 0 where the pixel moves.
-    ShadedView render(const SurfacePrediction& background, const LiveMaps& live,
-                      const Buffer<std::uint8_t>& foreground);
+    ShadedView render(const SurfacePrediction& background, const ForegroundLayer& foreground);
 
   private:
     RenderingConfig config_;
     Intrinsics intrinsics_;
     MapShape shape_;
     Program program_;
-    Kernel shade_view_;
+    Kernel show_;
     Buffer<std::uint32_t> rgba_;
 };
 

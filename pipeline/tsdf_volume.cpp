@@ -72,6 +72,41 @@ ColorPool& TsdfVolume::keep_colors() {
     return *colors_;
 }
 
+int TsdfVolume::shifted(int brick, const Eigen::Vector3i& shift) const {
+    const int n = params_.bricks_per_side;
+    const Eigen::Array3i to = Eigen::Array3i(brick % n, brick / n % n, brick / (n * n)) + shift.array();
+    const bool inside = (to >= 0).all() && (to < n).all();
+    return inside ? (to.z() * n + to.y()) * n + to.x() : -1;
+}
+
+void TsdfVolume::rearrange(std::span<const std::uint8_t> kept, const Eigen::Vector3i& shift) {
+    const auto pool = pool_.map_update();
+    const auto table = table_.map_update();
+    const auto bricks_of_slots = brick_of_slot_.map_update();
+    const auto has_inside = has_inside_.map_update();
+    for (const int brick : slots_) {
+        host_table_[static_cast<std::size_t>(brick)] = -1;
+        table[static_cast<std::size_t>(brick)] = -1;
+    }
+    const std::size_t before = slots_.size();
+    std::size_t count = 0;
+    for (std::size_t slot = 0; slot < before; ++slot) {
+        const int to = kept[slot] != 0 ? shifted(slots_[slot], shift) : -1;
+        if (to < 0) continue;
+        if (slot != count)
+            std::ranges::copy(pool.values().subspan(slot * BRICK_VOXELS, BRICK_VOXELS),
+                              pool.values().begin() + static_cast<std::ptrdiff_t>(count * BRICK_VOXELS));
+        has_inside[count] = has_inside[slot];
+        bricks_of_slots[count] = slots_[count] = to;
+        host_table_[static_cast<std::size_t>(to)] = static_cast<int>(count);
+        table[static_cast<std::size_t>(to)] = static_cast<int>(count);
+        ++count;
+    }
+    slots_.resize(count);
+    std::ranges::fill(pool.values().subspan(count * BRICK_VOXELS, (before - count) * BRICK_VOXELS), 0);
+    std::ranges::fill(has_inside.values().subspan(count, before - count), std::uint8_t{0});
+}
+
 void TsdfVolume::write(std::span<const std::int32_t> voxels) {
     if (voxels.size() != slots_.size() * BRICK_VOXELS)
         throw Error(ExitStatus::bad_data, "a volume is given voxels for another number of bricks");

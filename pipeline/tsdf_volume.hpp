@@ -40,6 +40,7 @@ class TsdfVolume {
     /// Of each slot in use: not 0 once a voxel of it was behind a surface. Other bricks hold no zero
     /// crossing's far end.
     const Buffer<std::uint8_t>& has_inside() const { return has_inside_; }
+    Buffer<std::uint8_t>& has_inside() { return has_inside_; }
     int bricks_in_use() const { return static_cast<int>(slots_.size()); }
     std::size_t brick_count() const { return host_table_.size(); }
     std::size_t memory_bytes() const;
@@ -54,6 +55,9 @@ class TsdfVolume {
     const ColorPool* colors() const { return colors_ ? &*colors_ : nullptr; }
     /// From now on there are colours: 2 KiB more for each brick that holds a surface.
     ColorPool& keep_colors();
+    /// Every brick moves by `shift` bricks; those that leave the cube, and those whose slot is 0 in `kept`,
+    /// are forgotten. Slots are numbered anew. For volumes without colours.
+    void rearrange(std::span<const std::uint8_t> kept, const Eigen::Vector3i& shift);
     /// Overwrites the voxels of all slots in use, BRICK_VOXELS each, in slot order.
     void write(std::span<const std::int32_t> voxels);
     /// Overwrites the voxels of some slots, BRICK_VOXELS each.
@@ -61,6 +65,8 @@ class TsdfVolume {
 
   private:
     void reserve(std::size_t slots);
+    /// Table index after a shift, -1 outside the cube.
+    int shifted(int brick, const Eigen::Vector3i& shift) const;
 
     const Device* device_;
     VolumeConfig config_;

@@ -23,6 +23,7 @@ VolumetricIntegration::VolumetricIntegration(const Device& device, const Intrins
       depth_tile_ranges_(selection_.kernel("depth_tile_ranges")),
       classify_bricks_(selection_.kernel("classify_bricks")),
       integrate_(integration_.kernel("integrate")),
+      integrate_moving_(integration_.kernel("integrate_moving")),
       tile_ranges_m_(device, 2 * static_cast<std::size_t>(tile_count(shape_))) {}
 
 const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, const Buffer<float>& depth_m,
@@ -39,6 +40,24 @@ const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, con
     integrate_.launch(size, slots_, volume.brick_of_slot(), volume.pool(), volume.has_inside(), depth_m,
                       sample_weights, volume.params(), noise_, intrinsics_, shape_, T_c_g);
     return updated_bricks_;
+}
+
+void VolumetricIntegration::integrate_moving(TsdfVolume& volume, const Buffer<float>& depth_m,
+                                             const Buffer<std::uint8_t>& surface_weights,
+                                             const Buffer<std::uint8_t>& sample_weights,
+                                             const RigidTransform& T_g_c, const BrickLayers& layers,
+                                             const AdaptiveWeightParams& adaptive) {
+    const Pose T_c_g = to_pose(T_g_c.inverse());
+    updated_bricks_.clear();
+    if (layers.count > 0) {
+        classify(volume, depth_m, surface_weights, T_c_g, layers);
+        select_bricks(volume, layers);
+    }
+    if (volume.bricks_in_use() == 0) return;
+    volume.has_inside().fill(0);
+    const LaunchSize size{{64 * static_cast<std::size_t>(volume.bricks_in_use()), 1, 1}, {64, 1, 1}};
+    integrate_moving_.launch(size, volume.brick_of_slot(), volume.pool(), volume.has_inside(), depth_m,
+                             sample_weights, volume.params(), adaptive, noise_, intrinsics_, shape_, T_c_g);
 }
 
 void VolumetricIntegration::classify(const TsdfVolume& volume, const Buffer<float>& depth_m,

@@ -36,6 +36,14 @@ class VolumetricIntegration {
                                       const Buffer<std::uint8_t>& sample_weights, const RigidTransform& T_g_c,
                                       const BrickLayers& layers);
 
+    /// Listing 2 with the adaptive weight, into a volume that moves with what it holds: allocates the bricks
+    /// near the surface, of pixels with a weight in `surface_weights`, and updates every brick in use with
+    /// the pixels of `sample_weights` (0, 1 to 254, or SAMPLE_FREE_ONLY).
+    void integrate_moving(TsdfVolume& volume, const Buffer<float>& depth_m,
+                          const Buffer<std::uint8_t>& surface_weights,
+                          const Buffer<std::uint8_t>& sample_weights, const RigidTransform& T_g_c,
+                          const BrickLayers& layers, const AdaptiveWeightParams& adaptive);
+
   private:
     void classify(const TsdfVolume& volume, const Buffer<float>& depth_m,
                   const Buffer<std::uint8_t>& sample_weights, const Pose& T_c_g, const BrickLayers& layers);
@@ -46,7 +54,7 @@ class VolumetricIntegration {
     SensorNoise noise_;
     MapShape shape_;
     Program selection_, integration_;
-    Kernel depth_tile_ranges_, classify_bricks_, integrate_;
+    Kernel depth_tile_ranges_, classify_bricks_, integrate_, integrate_moving_;
     Buffer<float> tile_ranges_m_;  // nearest and farthest of each tile
     Buffer<std::uint8_t> classes_;
     Buffer<int> slots_;

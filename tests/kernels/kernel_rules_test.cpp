@@ -53,6 +53,8 @@ std::vector<Field> shared_fields() {
             FIELD(SampleWeightParams, most),
             FIELD(ColorParams, band_vox),
             FIELD(ColorParams, guard_px),
+            FIELD(AdaptiveWeightParams, calm_sigmas),
+            FIELD(AdaptiveWeightParams, least_weight),
             FIELD(TouchMapParams, finger_thickness_m),
             FIELD(TouchMapParams, reserved),
             FIELD(AssociationParams, quantisation_per_m),

@@ -26,7 +26,7 @@ class RenderingTest : public testing::Test {
         background.normals_c.write(normals);
         live.normals_c.write(normals);
         foreground.write(test::padded<std::uint8_t>(shape, moving));
-        view = Rendering(device, config, k).render(background, live, foreground);
+        view = Rendering(device, config, k).render(background, {live.normals_c, foreground});
     }
     std::array<int, 4> pixel(int x, int y) const {
         const auto at = static_cast<std::size_t>(4 * (y * k.width_px + x));
@@ -66,6 +66,31 @@ TEST_F(RenderingTest, BrightnessIsPhongs) {
     const float red =
         config.shading.background.x * (0.55f + 0.45f * diffuse) + config.shading.background.w * shine;
     EXPECT_NEAR(pixel(34, 20)[0], 255.0f * std::min(red, 1.0f), 2.0f);
+}
+
+TEST_F(RenderingTest, NormalsAreColours) {
+    std::vector<float> up(3 * map_pixels(shape), 0.0f);
+    const auto plane = static_cast<std::ptrdiff_t>(map_pixels(shape));
+    std::fill(up.begin() + plane, up.begin() + 2 * plane, -1.0f);  // y points down
+    live.normals_c.write(up);
+    config.view = "normals";
+    view = Rendering(device, config, k).render(background, {live.normals_c, foreground});
+    const std::array facing{128, 128, 255, 255}, hand_up{128, 255, 128, 0};
+    EXPECT_EQ(pixel(20, 20), facing);
+    EXPECT_EQ(pixel(50, 20), hand_up);
+    EXPECT_EQ(pixel(0, 20)[2], static_cast<int>(std::lround(config.shading.unknown.z * 255.0f)));
+}
+
+TEST_F(RenderingTest, AForegroundWithoutNormalFacesTheCamera) {
+    live.normals_c.fill(0.0f);
+    const std::array before = pixel(50, 20);
+    view = Rendering(device, config, k).render(background, {live.normals_c, foreground});
+    EXPECT_EQ(pixel(50, 20), before);
+}
+
+TEST_F(RenderingTest, AnUnknownViewIsRefused) {
+    config.view = "wireframe";
+    EXPECT_THROW(Rendering(device, config, k), Error);
 }
 
 }  // namespace

@@ -1,0 +1,6 @@
+touchstone_library(touchstone_foreground_accuracy foreground_run.cpp foreground_score.cpp hand_truth.cpp)
+target_link_libraries(touchstone_foreground_accuracy PUBLIC touchstone_pipeline touchstone_simulator PRIVATE fmt::fmt)
+
+add_executable(score_foreground score_foreground.cpp)
+target_link_libraries(score_foreground PRIVATE touchstone_foreground_accuracy)
+touchstone_warnings(score_foreground)
