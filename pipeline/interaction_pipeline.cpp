@@ -138,10 +138,14 @@ void InteractionPipeline::scan(const DepthView& view, InteractionFrame& frame) {
 
 /// The last frame of the scan waits until most of the view has stood still, for a time.
 bool InteractionPipeline::waits_for_stillness(InteractionFrame& frame) {
+    log_debug("scan: {:.2f} % of the view moves, {:.2f} % is not still yet",
+              100.0f * stillness_.moving_share(), 100.0f * stillness_.unknown_share());
     const bool last = scanned_frames_ + 1 >= config_.scan_frames;
-    const bool waits = last && stillness_.much_is_unknown() &&
-                       config_.scan_frames > config_.stillness.least_frames &&
-                       waited_frames_ < config_.stillness.wait_frames;
+    const int longest = stillness_.much_is_unknown()   ? config_.stillness.wait_frames
+                        : stillness_.something_moves() ? config_.stillness.mover_wait_frames
+                                                       : 0;
+    const bool waits =
+        last && waited_frames_ < longest && config_.scan_frames > config_.stillness.least_frames;
     if (waits || stillness_.something_moves()) frame.note = "Something moves in the view: step back";
     if (waits && waited_frames_++ == 0) log_info("the scan waits: something moves in the view");
     return waits;

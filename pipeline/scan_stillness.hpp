@@ -16,6 +16,7 @@ struct ScanStillnessConfig {
     float max_moving_share = 0.003f;      ///< of the picture: more is something that moves, not noise
     float max_unknown_share = 0.02f;      ///< of the picture that is not still yet: more is waited for ...
     int wait_frames = 300;                ///< ... so long
+    int mover_wait_frames = 25;           ///< or, with all known, for what moves to leave
     int min_replaced_px = 200;  ///< of what was scanned and has left: the scan is made anew without it
 };
 

@@ -1,8 +1,10 @@
-// score_objects [FIRST_SEED [SEEDS [CYCLES]]]: things put down and taken away by a simulated hand, things
-// lifted out of the scanned scene, and hands in view during the scan; Kinect noise and drift. Seed 1 and 50
-// cycles where nothing else is said; seeds up to 50 are for tuning.
+// score_objects [FIRST_SEED [SEEDS [CYCLES [PART]]]]: things put down and taken away by a simulated hand,
+// things lifted out of the scanned scene, and hands in view during the scan; Kinect noise and drift. Seed 1
+// and 50 cycles where nothing else is said; seeds up to 50 are for tuning. PART: put, lift, scan or all of
+// them.
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "tests/accuracy/object_run.hpp"
 
@@ -69,9 +71,10 @@ int main(int argc, char** argv) try {
     const auto argument = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
     const touchstone::Device device{touchstone::DeviceConfig{}};
     const int first_seed = argument(1, 1), seeds = argument(2, 1), cycles = argument(3, 50);
-    if (cycles > 0) touchstone::score_put_and_take(device, first_seed, seeds, cycles);
-    touchstone::score_lifts(device, first_seed, seeds);
-    touchstone::score_movers(device, first_seed, seeds);
+    const std::string part = argc > 4 ? argv[4] : "all";
+    if (part == "all" || part == "put") touchstone::score_put_and_take(device, first_seed, seeds, cycles);
+    if (part == "all" || part == "lift") touchstone::score_lifts(device, first_seed, seeds);
+    if (part == "all" || part == "scan") touchstone::score_movers(device, first_seed, seeds);
     return 0;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "score_objects: %s\n", error.what());
