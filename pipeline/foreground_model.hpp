@@ -18,7 +18,7 @@ struct ForegroundModelConfig {
     float reach_m = 0.15f;     ///< a component that no volume covers is a volume's within this distance
     float gate_sigmas = 3.0f;  ///< a prediction farther from the live depth is not shown
     VolumeConfig volume{192, 0.768f, 3.0f, 2.5f, 0.0f, 128, 3000};
-    AdaptiveWeightParams adaptive{0.5f, 0.75f, 2.5f, 1};
+    AdaptiveWeightParams adaptive{0.5f, 0.3f, 1.2f, 1};
     SampleWeightConfig weights;
     CameraTrackingConfig tracking{.levels = {TrackingLevel{3, 0.02f, 4.0f}, TrackingLevel{4, 0.04f, 8.0f},
                                              TrackingLevel{5, 0.10f, 30.0f}}};

@@ -4,3 +4,7 @@ target_link_libraries(touchstone_foreground_accuracy PUBLIC touchstone_pipeline 
 add_executable(score_foreground score_foreground.cpp)
 target_link_libraries(score_foreground PRIVATE touchstone_foreground_accuracy)
 touchstone_warnings(score_foreground)
+
+touchstone_test(foreground_score_test SOURCES foreground_score_test.cpp LIBRARIES touchstone_foreground_accuracy)
+touchstone_test(scored_foreground_test SOURCES scored_foreground_test.cpp LIBRARIES touchstone_foreground_accuracy
+    LABELS accuracy)

@@ -83,15 +83,19 @@ class Run {
         if (!now.hands[at]) return;
         if (!before.hands[at]) ++score_.hand_visits;
         const float step_m = hand_step_m(before.hands[at], now.hands[at]);
-        const std::array all{ScoredSurface{raw_m_, &score_.raw}, ScoredSurface{filtered_m_, &score_.filtered},
-                             ScoredSurface{shown_m_, &score_.shown}};
-        add_surface_errors(k_, now.picture, hand, all);
-        if (step_m < moving_m) return;
-        const std::array moving{ScoredSurface{raw_m_, &score_.raw_moving},
-                                ScoredSurface{filtered_m_, &score_.filtered_moving},
-                                ScoredSurface{shown_m_, &score_.shown_moving}};
-        add_surface_errors(k_, now.picture, hand, moving);
+        const bool moves = step_m >= moving_m;
+        add_errors(arm_parts(hand, *now.hands[at]), moves ? score_.moving_arms : score_.still_arms);
+        add_errors(parts_before_the_arm(hand, *now.hands[at]),
+                   moves ? score_.moving_hands : score_.still_hands);
+        if (!moves) return;
         add_lag(hand);
+    }
+
+    void add_errors(const HandParts& parts, ForegroundScore::Errors& errors) {
+        const std::array surfaces{ScoredSurface{raw_m_, &errors.raw},
+                                  ScoredSurface{filtered_m_, &errors.filtered},
+                                  ScoredSurface{shown_m_, &errors.shown}};
+        add_surface_errors(k_, moments_[1].picture, parts, surfaces);
     }
 
     void add_lag(int hand) {

@@ -2,71 +2,65 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace touchstone {
 
 namespace {
 
-constexpr int edge_px = 3, window_px = 7, least_window = 60;
+constexpr int edge_px = 3, window_px = 5, least_window = 40, grid_px = 3;
 constexpr float edge_step_m = 0.015f;
 constexpr int tip_window_px = 14;
 constexpr double most_tip_error_m = 0.02;
 
 std::size_t index(const Intrinsics& k, int x, int y) { return static_cast<std::size_t>(y * k.width_px + x); }
 
-bool shows_hand(const sim::Picture& truth, std::size_t pixel, int owner) {
-    return truth.part[pixel] > 0 && truth.owner[pixel] == owner;
+bool shows(const sim::Picture& truth, std::size_t pixel, const HandParts& parts) {
+    const std::size_t number = truth.part[pixel];
+    return number > parts.first && number <= parts.last && truth.owner[pixel] == parts.owner;
 }
 
 /// Away from the silhouette and from steps between parts.
-bool is_interior(const Intrinsics& k, const sim::Picture& truth, int owner, int x, int y) {
+bool is_interior(const Intrinsics& k, const sim::Picture& truth, const HandParts& parts, int x, int y) {
     if (x < edge_px || y < edge_px || x >= k.width_px - edge_px || y >= k.height_px - edge_px) return false;
     const float here_m = truth.depth_m[index(k, x, y)];
     for (int j = -edge_px; j <= edge_px; ++j) {
         for (int i = -edge_px; i <= edge_px; ++i) {
             const std::size_t pixel = index(k, x + i, y + j);
-            if (!shows_hand(truth, pixel, owner) || std::abs(truth.depth_m[pixel] - here_m) > edge_step_m)
+            if (!shows(truth, pixel, parts) || std::abs(truth.depth_m[pixel] - here_m) > edge_step_m)
                 return false;
         }
     }
     return true;
 }
 
-/// Sums over rectangles of a picture.
-class SumTable {
-  public:
-    SumTable(const Intrinsics& k, const std::vector<double>& values)
-        : width_(k.width_px + 1), sums_(static_cast<std::size_t>(width_ * (k.height_px + 1)), 0.0) {
-        for (int y = 0; y < k.height_px; ++y) {
-            double row = 0.0;
-            for (int x = 0; x < k.width_px; ++x) {
-                row += values[index(k, x, y)];
-                at(x + 1, y + 1) = at(x + 1, y) + row;
-            }
+/// What is left of a pixel's error after the plane through the errors around it; nothing where few are known.
+std::optional<double> residual_m(const Intrinsics& k, const std::vector<std::uint8_t>& is_used,
+                                 const std::vector<double>& errors_m, int x, int y) {
+    Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    for (int j = std::max(0, y - window_px); j <= std::min(k.height_px - 1, y + window_px); ++j) {
+        for (int i = std::max(0, x - window_px); i <= std::min(k.width_px - 1, x + window_px); ++i) {
+            const std::size_t pixel = index(k, i, j);
+            if (is_used[pixel] == 0) continue;
+            const Eigen::Vector3d row(1.0, i - x, j - y);
+            A += row * row.transpose();
+            b += row * errors_m[pixel];
         }
     }
-    double around(const Intrinsics& k, int x, int y) {
-        const int x0 = std::max(0, x - window_px), x1 = std::min(k.width_px, x + window_px + 1);
-        const int y0 = std::max(0, y - window_px), y1 = std::min(k.height_px, y + window_px + 1);
-        return at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0);
-    }
-
-  private:
-    double& at(int x, int y) { return sums_[static_cast<std::size_t>(y * width_ + x)]; }
-
-    int width_;
-    std::vector<double> sums_;
-};
+    if (A(0, 0) < least_window) return std::nullopt;
+    return errors_m[index(k, x, y)] - A.ldlt().solve(b)[0];
+}
 
 void add_residuals(const Intrinsics& k, const std::vector<std::size_t>& interior,
-                   const std::vector<double>& errors_m, SumTable& counts, SurfaceErrors& result) {
-    SumTable sums(k, errors_m);
+                   const std::vector<std::uint8_t>& is_used, const std::vector<double>& errors_m,
+                   SurfaceErrors& result) {
     for (const std::size_t pixel : interior) {
         const int x = static_cast<int>(pixel) % k.width_px, y = static_cast<int>(pixel) / k.width_px;
-        const double count = counts.around(k, x, y);
-        if (count < least_window) continue;
-        const double residual_m = errors_m[pixel] - sums.around(k, x, y) / count;
-        result.squares_m2 += residual_m * residual_m;
+        if (x % grid_px != 0 || y % grid_px != 0) continue;
+        const std::optional<double> residual = residual_m(k, is_used, errors_m, x, y);
+        if (!residual) continue;
+        result.squares_m2 += *residual * *residual;
         ++result.residuals;
     }
 }
@@ -81,14 +75,25 @@ double SurfaceErrors::mean_mm() const {
     return pixels > 0 ? 1000.0 * absolute_m / static_cast<double>(pixels) : 0.0;
 }
 
-void add_surface_errors(const Intrinsics& k, const sim::Picture& truth, int owner,
+HandParts arm_parts(int owner, const sim::Hand& hand) {
+    // The wrist is bare; the sleeve begins behind it.
+    const auto sleeve = std::ranges::find(hand.parts, sim::HandMaterial::sleeve, &sim::HandPart::material);
+    const auto first = static_cast<std::size_t>(sleeve - hand.parts.begin()) - 1;
+    return {owner, first, hand.parts.size()};
+}
+
+HandParts parts_before_the_arm(int owner, const sim::Hand& hand) {
+    return {owner, 0, arm_parts(owner, hand).first};
+}
+
+void add_surface_errors(const Intrinsics& k, const sim::Picture& truth, const HandParts& parts,
                         std::span<const ScoredSurface> surfaces) {
     std::vector<std::size_t> interior;
-    std::vector<double> is_used(truth.depth_m.size(), 0.0);
+    std::vector<std::uint8_t> is_used(truth.depth_m.size(), 0);
     for (int y = 0; y < k.height_px; ++y) {
         for (int x = 0; x < k.width_px; ++x) {
             const std::size_t pixel = index(k, x, y);
-            if (!shows_hand(truth, pixel, owner)) continue;
+            if (!shows(truth, pixel, parts)) continue;
             if (std::ranges::any_of(surfaces, [&](const auto& s) { return s.depth_m[pixel] <= 0.0f; }))
                 continue;
             for (const ScoredSurface& surface : surfaces) {
@@ -96,17 +101,16 @@ void add_surface_errors(const Intrinsics& k, const sim::Picture& truth, int owne
                     static_cast<double>(std::abs(surface.depth_m[pixel] - truth.depth_m[pixel]));
                 ++surface.errors->pixels;
             }
-            if (!is_interior(k, truth, owner, x, y)) continue;
-            is_used[pixel] = 1.0;
+            if (!is_interior(k, truth, parts, x, y)) continue;
+            is_used[pixel] = 1;
             interior.push_back(pixel);
         }
     }
-    SumTable counts(k, is_used);
     for (const ScoredSurface& surface : surfaces) {
         std::vector<double> errors_m(truth.depth_m.size(), 0.0);
         for (const std::size_t pixel : interior)
             errors_m[pixel] = static_cast<double>(surface.depth_m[pixel] - truth.depth_m[pixel]);
-        add_residuals(k, interior, errors_m, counts, *surface.errors);
+        add_residuals(k, interior, is_used, errors_m, *surface.errors);
     }
 }
 

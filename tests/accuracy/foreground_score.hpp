@@ -13,7 +13,7 @@ namespace touchstone {
 
 /// Errors of one surface against the truth, over pixels of many frames. Metres.
 struct SurfaceErrors {
-    double squares_m2 = 0.0;    ///< of what is left after the mean error of the 15 x 15 pixels around
+    double squares_m2 = 0.0;    ///< of what is left after a plane through the errors of 11 x 11 pixels
     std::size_t residuals = 0;  ///< inside hands, 3 pixels from any edge
     double absolute_m = 0.0;    ///< of all pixels of hands
     std::size_t pixels = 0;
@@ -28,9 +28,17 @@ struct ScoredSurface {
     SurfaceErrors* errors;
 };
 
+/// The parts first to last - 1 of one hand, as Picture counts them less one.
+struct HandParts {
+    int owner = 0;
+    std::size_t first = 0, last = 0;
+};
+HandParts arm_parts(int owner, const sim::Hand& hand);
+HandParts parts_before_the_arm(int owner, const sim::Hand& hand);
+
 /// Adds one frame's errors of several surfaces over the same pixels: those where all of them and the truth
-/// show the hand `owner`.
-void add_surface_errors(const Intrinsics& k, const sim::Picture& truth, int owner,
+/// show these parts.
+void add_surface_errors(const Intrinsics& k, const sim::Picture& truth, const HandParts& parts,
                         std::span<const ScoredSurface> surfaces);
 
 /// Which delay of the truth explains a picture around a fingertip best.
@@ -57,10 +65,13 @@ struct ForegroundRun {
 };
 
 struct ForegroundScore {
-    SurfaceErrors raw, filtered, shown;                       ///< of hands that are here
-    SurfaceErrors raw_moving, filtered_moving, shown_moving;  ///< of hands that move 3 mm a frame or more
-    LagScore raw_lag, shown_lag, model_lag;                   ///< of fingertips that move as much
-    double modelled_share = 0.0;                              ///< of the foreground's pixels
+    struct Errors {
+        SurfaceErrors raw, filtered, shown;
+    };
+    Errors moving_arms, moving_hands;        ///< that move 3 mm a frame or more
+    Errors still_arms, still_hands;          ///< the others
+    LagScore raw_lag, shown_lag, model_lag;  ///< of fingertips that move as much
+    double modelled_share = 0.0;             ///< of the foreground's pixels
     int volumes_made = 0, hand_visits = 0;
     double median_ms = 0.0, p99_ms = 0.0;  ///< of the stage
     double frame_median_ms = 0.0;
