@@ -1,7 +1,7 @@
 #include "pipeline/camera_tracking.hpp"
 
 #include <cmath>
-#include <fmt/core.h>
+#include <limits>
 #include <numbers>
 
 #include "pipeline/kernel_program.hpp"
@@ -11,6 +11,9 @@ namespace touchstone {
 namespace {
 
 constexpr std::size_t levels = 3;
+/// Of a picture: so high that their noise is independent (a sensor's noise and the filter join a few rows),
+/// so many that they tell a covariance.
+constexpr std::size_t strips = 30;
 constexpr float least_spread_m = 0.01f;
 /// A later guess must be: what the data do not constrain stays as in the first one, not as noise would have
 /// it.
@@ -31,10 +34,6 @@ Intrinsics half_sized(const Intrinsics& k) {
 float sigma_z_m(const SensorNoise& noise, float z_m) {
     const float from_offset = z_m - noise.offset_m;
     return noise.constant_m + noise.quadratic * from_offset * from_offset;
-}
-
-float angle_deg(const RigidTransform& T) {
-    return Eigen::AngleAxisf(T.linear()).angle() * 180.0f / std::numbers::pi_v<float>;
 }
 
 /// Middle and spread of what a depth map shows.
@@ -174,8 +173,12 @@ const Buffer<float>& CameraTracking::depth_m(int level) const {
 AlignmentSums CameraTracking::read_sums(std::size_t rows) const {
     AlignmentSums sums;
     const auto mapped = sums_.map_read(rows * ALIGNMENT_SUMS);
-    for (std::size_t row = 0; row < rows; ++row)
+    sums.b_of_strips.assign(strips, Vector6d::Zero());
+    for (std::size_t row = 0; row < rows; ++row) {
+        const Vector6d before = sums.b;
         add(mapped.values().subspan(row * ALIGNMENT_SUMS, ALIGNMENT_SUMS), sums);
+        sums.b_of_strips[row * strips / rows] += sums.b - before;
+    }
     sums.A.triangularView<Eigen::StrictlyLower>() = sums.A.transpose();
     return sums;
 }
@@ -222,11 +225,11 @@ void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair*
         AlignmentSums sums = sum(model, result.T_p_c, level);
         if (intensity != nullptr) {
             const AlignmentSums of_intensity = sum_intensity(model, *intensity, result.T_p_c, level);
-            sums.A += of_intensity.A;
-            sums.b += of_intensity.b;
+            sums.add_rows(of_intensity);
         }
         ++result.iterations;
         const TwistSolution solution = solve_twist(sums, lever_m, static_cast<double>(min_eigenvalue_));
+        result.evidence = step_evidence(sums, extent_.centre_c_m);
         result.held_directions = solution.held;
         result.eigenvalues = solution.eigenvalues;
         result.T_p_c = orthonormal(twist_about(solution.twist, extent_.centre_c_m) * result.T_p_c);
@@ -263,38 +266,10 @@ TrackingResult CameraTracking::track(const LiveMaps& live, const SurfacePredicti
     result.rms_sigmas = static_cast<float>(std::sqrt(sums.weighted_squares / pairs) / reference_m);
     result.rms_mm = static_cast<float>(1000.0 * std::sqrt(sums.squares / pairs));
     result.inlier_share = static_cast<float>(sums.pairs / std::max(sums.compared, 1.0));
+    result.close_share = static_cast<float>(sums.close / std::max(sums.compared, 1.0));
     result.model_share = static_cast<float>(sums.compared / std::max(sums.measured, 1.0));
     judge_tracking(config_, result);
     return result;
-}
-
-void judge_tracking(const CameraTrackingConfig& config, TrackingResult& result) {
-    const auto percent = [](float share) { return 100.0f * share; };
-    result.state = TrackingState::lost;
-    if (result.model_share < config.min_model_share)
-        result.reason =
-            fmt::format("only {:.0f} % of the view has been scanned", percent(result.model_share));
-    else if (result.inlier_share < config.lost_inlier_share)
-        result.reason = fmt::format("only {:.0f} % of the view fits the scan", percent(result.inlier_share));
-    else if (result.rms_sigmas > config.lost_rms_sigmas)
-        result.reason = fmt::format("the view is {:.0f} mm off the scan", result.rms_mm);
-    else if (result.inlier_share < config.poor_inlier_share) {
-        result.state = TrackingState::poor;
-        result.reason = fmt::format("{:.0f} % of the view fits the scan", percent(result.inlier_share));
-    } else if (result.rms_sigmas > config.poor_rms_sigmas) {
-        result.state = TrackingState::poor;
-        result.reason = fmt::format("the view is {:.0f} mm off the scan", result.rms_mm);
-    } else {
-        result.state = TrackingState::good;
-    }
-}
-
-void judge_step(const CameraTrackingConfig& config, const RigidTransform& step, TrackingResult& result) {
-    const float step_m = step.translation().norm(), step_deg = angle_deg(step);
-    if (step_m <= config.max_step_m && step_deg <= config.max_step_deg) return;
-    result.state = TrackingState::lost;
-    result.reason =
-        fmt::format("moved too fast: {:.0f} mm and {:.1f} degrees in one frame", 1000.0f * step_m, step_deg);
 }
 
 }  // namespace touchstone

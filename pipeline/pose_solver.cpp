@@ -5,6 +5,23 @@
 
 namespace touchstone {
 
+void AlignmentSums::add_rows(const AlignmentSums& other) {
+    A += other.A;
+    b += other.b;
+    for (std::size_t i = 0; i < b_of_strips.size(); ++i) b_of_strips[i] += other.b_of_strips[i];
+}
+
+StepEvidence step_evidence(const AlignmentSums& sums, const Eigen::Vector3f& centre_m) {
+    StepEvidence evidence{sums.A, Matrix6d::Zero(), centre_m};
+    const auto strips = static_cast<double>(sums.b_of_strips.size());
+    if (strips < 2.0) return evidence;
+    for (const Vector6d& b : sums.b_of_strips) {
+        const Vector6d from_mean = b - sums.b / strips;
+        evidence.scatter += strips / (strips - 1.0) * from_mean * from_mean.transpose();
+    }
+    return evidence;
+}
+
 TwistSolution solve_twist(const AlignmentSums& sums, double lever_m, double min_eigenvalue) {
     TwistSolution solution;
     if (sums.weight <= 0.0) {
@@ -39,6 +56,14 @@ RigidTransform twist_about(const Vector6d& twist, const Eigen::Vector3f& centre)
     if (angle > 1e-12) T.linear() = Eigen::AngleAxisd(angle, omega / angle).toRotationMatrix().cast<float>();
     T.translation() = twist.tail<3>().cast<float>() + centre - T.linear() * centre;
     return T;
+}
+
+Vector6d twist_of(const RigidTransform& T, const Eigen::Vector3f& centre) {
+    const Eigen::AngleAxisd turn(T.linear().cast<double>());
+    Vector6d twist;
+    twist.head<3>() = turn.angle() * turn.axis();
+    twist.tail<3>() = (T * centre - centre).cast<double>();
+    return twist;
 }
 
 RigidTransform orthonormal(const RigidTransform& T) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "pipeline/types.hpp"
 
@@ -22,7 +23,23 @@ struct AlignmentSums {
     double close = 0.0;             ///< pairs within 2 sigma_z
     double compared = 0.0;          ///< live pixels with a model behind or before them
     double measured = 0.0;          ///< live pixels
+    /// b of strips of rows that are so high that their noise is independent; their sum is b.
+    std::vector<Vector6d> b_of_strips;
+
+    /// Adds the rows of another kind of measurement of the same picture; the statistics stay.
+    void add_rows(const AlignmentSums& other);
 };
+
+/// How well a step is known: its covariance is A^-1 scatter A^-1. Neighbouring pixels share their noise, so
+/// the number of pixels does not tell; the strips of a picture, which are independent, do.
+struct StepEvidence {
+    Matrix6d A = Matrix6d::Zero();
+    Matrix6d scatter = Matrix6d::Zero();         ///< covariance of b
+    Eigen::Vector3f centre_m{0.0f, 0.0f, 0.0f};  ///< about which the twist turns
+};
+
+/// From the sums at, or next to, the solution.
+StepEvidence step_evidence(const AlignmentSums& sums, const Eigen::Vector3f& centre_m);
 
 /// Eq 1 solved, without the directions that the data do not constrain.
 struct TwistSolution {
@@ -38,6 +55,8 @@ TwistSolution solve_twist(const AlignmentSums& sums, double lever_m, double min_
 
 /// p -> c + exp(omega) (p - c) + t.
 RigidTransform twist_about(const Vector6d& twist, const Eigen::Vector3f& centre);
+/// The inverse of twist_about().
+Vector6d twist_of(const RigidTransform& T, const Eigen::Vector3f& centre);
 
 /// The rotation part made orthonormal again after many products.
 RigidTransform orthonormal(const RigidTransform& T);

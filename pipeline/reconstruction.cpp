@@ -90,7 +90,8 @@ Reconstruction::Reconstruction(const Device& device, const ReconstructionConfig&
       model_intensity_(device, intrinsics),
       T_g_c_(T_g_c),
       T_g_p_(T_g_c),
-      velocity_(RigidTransform::Identity()) {}
+      velocity_(RigidTransform::Identity()),
+      steps_(config_.steps) {}
 
 ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<const std::uint8_t> color_rgb) {
     ReconstructionFrame frame;
@@ -136,6 +137,7 @@ void Reconstruction::track(bool has_intensity, ReconstructionFrame& frame) {
         velocity_ = RigidTransform::Identity();
         return;
     }
+    frame.tracking.T_p_c = steps_.believed(frame.tracking.T_p_c, frame.tracking.evidence);
     velocity_ = frame.tracking.T_p_c;
     T_g_c_ = orthonormal(T_g_p_ * frame.tracking.T_p_c);
 }
@@ -152,6 +154,7 @@ void Reconstruction::relocalise(const DepthView& view, ReconstructionFrame& fram
     const auto T_g_c = relocalisation_->step(live_, view, volume_, T_g_c_, &keyframes_);
     if (!T_g_c) return;
     relocalisation_->restart();
+    steps_.restart();
     T_g_c_ = *T_g_c;
     frame.tracking = relocalisation_->tracking();
     frame.tracking.state = TrackingState::poor;

@@ -11,6 +11,7 @@
 #include "pipeline/raycasting.hpp"
 #include "pipeline/relocalisation.hpp"
 #include "pipeline/sample_weights.hpp"
+#include "pipeline/step_filter.hpp"
 #include "pipeline/volumetric_integration.hpp"
 #include "platform/system/stage_timer.hpp"
 
@@ -23,6 +24,7 @@ struct ReconstructionConfig {
     SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< of every stage
     DepthMapConversionConfig conversion;
     CameraTrackingConfig tracking;
+    StepFilterConfig steps;
     VolumeConfig volume;
     SampleWeightConfig weights;
     ColorIntegrationConfig color;
@@ -92,6 +94,7 @@ class Reconstruction {
     RigidTransform T_g_c_;     // of the last frame that was tracked
     RigidTransform T_g_p_;     // of the prediction
     RigidTransform velocity_;  // T_p_c of the last step
+    StepFilter steps_;
     int fused_frames_ = 0;
 };
 

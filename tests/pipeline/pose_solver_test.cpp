@@ -150,6 +150,27 @@ TEST(PoseSolver, ATwistTurnsAboutItsCentre) {
     EXPECT_LT((twist_about(small, centre) * p - expected).norm(), 1e-6f);
 }
 
+TEST(PoseSolver, TheTwistOfATransformIsTheOneItWasMadeOf) {
+    const Eigen::Vector3f centre(0.1f, -0.2f, 1.0f);
+    for (const double scale : {1.0, -0.5, 0.01}) {
+        const Vector6d twist = scale * some_twist();
+        EXPECT_LT((twist_of(twist_about(twist, centre), centre) - twist).norm(), 1e-6);
+    }
+    EXPECT_TRUE(twist_of(RigidTransform::Identity(), centre).isZero(0.0));
+}
+
+TEST(PoseSolver, RowsOfAnotherKindAreAddedAndStatisticsStay) {
+    AlignmentSums sums = sums_of(corner_samples(), some_twist());
+    sums.b_of_strips = {0.25 * sums.b, 0.75 * sums.b};
+    AlignmentSums both = sums;
+    both.add_rows(sums);
+    EXPECT_TRUE(both.A.isApprox(2.0 * sums.A));
+    EXPECT_TRUE(both.b.isApprox(2.0 * sums.b));
+    EXPECT_TRUE(both.b_of_strips[1].isApprox(1.5 * sums.b));
+    EXPECT_EQ(both.pairs, sums.pairs);
+    EXPECT_EQ(both.weight, sums.weight);
+}
+
 TEST(PoseSolver, ManyProductsStayRotations) {
     RigidTransform T = RigidTransform::Identity();
     const RigidTransform step = twist_about(0.5 * some_twist(), Eigen::Vector3f::Zero());
