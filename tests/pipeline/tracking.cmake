@@ -1,3 +1,3 @@
 touchstone_test(pipeline_tracking_test
-    SOURCES camera_tracking_test.cpp pose_solver_test.cpp reconstruction_test.cpp tracking_states_test.cpp
+    SOURCES camera_tracking_test.cpp pose_solver_test.cpp reconstruction_test.cpp tracking_states_test.cpp moving_parts_test.cpp
     LIBRARIES touchstone_pipeline)
