@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/core.h>
 #include <utility>
 #include <vector>
 
@@ -19,21 +20,44 @@ constexpr float outside_margin_m = 0.02f;
 constexpr std::array<TrackingLevel, 3> object_levels{
     TrackingLevel{4, 0.015f, 4.0f}, TrackingLevel{6, 0.02f, 4.0f}, TrackingLevel{10, 0.03f, 5.0f}};
 
+/// Something has moved or begins to: what does not fit well must not pull at all.
+constexpr std::array<TrackingLevel, 3> careful_levels{
+    TrackingLevel{6, 0.03f, 3.5f}, TrackingLevel{6, 0.05f, 4.0f}, TrackingLevel{8, 0.08f, 6.0f}};
+constexpr std::array<TrackingLevel, 3> careful_object_levels{
+    TrackingLevel{6, 0.006f, 3.0f}, TrackingLevel{6, 0.01f, 3.5f}, TrackingLevel{8, 0.015f, 4.0f}};
+
+/// Of the pairs within two sigmas, that a careful pose must keep: what moves may have had a few more.
+constexpr double careful_share = 0.98;
+
+CameraTrackingConfig careful(const ReconstructionConfig& config) {
+    CameraTrackingConfig tracking = config.tracking;
+    tracking.levels = config.volume.side_m < object_side_m ? careful_object_levels : careful_levels;
+    return tracking;
+}
+
 ReconstructionConfig with_shared_noise(ReconstructionConfig config) {
     config.conversion.noise = config.noise;
     config.tracking.noise = config.noise;
     config.weights.noise = config.noise;
     config.color.noise = config.noise;
-    if (config.volume.side_m < object_side_m) config.tracking.levels = object_levels;
+    config.moving.association.noise = config.noise;
+    config.moving.components.noise = config.noise;
+    if (config.volume.side_m < object_side_m) {
+        config.tracking.levels = object_levels;
+        config.moving.into_unknown = true;
+    }
     return config;
 }
 
-/// Points of the middle half of the view, each way.
-std::vector<Eigen::Vector3f> middle_points_c_m(const DepthView& view) {
+/// Points of the middle of the view: `share` of it, each way.
+std::vector<Eigen::Vector3f> middle_points_c_m(const DepthView& view, float share) {
     std::vector<Eigen::Vector3f> points;
     const Intrinsics& k = view.intrinsics;
-    for (int y = k.height_px / 4; y < 3 * k.height_px / 4; ++y) {
-        for (int x = k.width_px / 4; x < 3 * k.width_px / 4; ++x) {
+    const auto first = [&](int size) {
+        return static_cast<int>(0.5f * (1.0f - share) * static_cast<float>(size));
+    };
+    for (int y = first(k.height_px); y < k.height_px - first(k.height_px); ++y) {
+        for (int x = first(k.width_px); x < k.width_px - first(k.width_px); ++x) {
             const float z =
                 0.001f * static_cast<float>(view.depth_mm[static_cast<std::size_t>(y * k.width_px + x)]);
             if (z <= 0.0f) continue;
@@ -44,29 +68,43 @@ std::vector<Eigen::Vector3f> middle_points_c_m(const DepthView& view) {
     return points;
 }
 
-/// The middle of what lies within `reach_m` behind the nearest points.
-Eigen::Vector3f nearest_thing_c_m(std::vector<Eigen::Vector3f> points, float reach_m) {
-    const auto near = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 50);
-    std::ranges::nth_element(points, near, {}, [](const Eigen::Vector3f& p) { return p.z(); });
-    const float near_m = near->z();
-    Eigen::AlignedBox3f box;
-    for (const Eigen::Vector3f& p : points)
-        if (p.z() <= near_m + reach_m) box.extend(p);
-    return {box.center().x(), box.center().y(), near_m + 0.5f * reach_m};
+/// The value that `share` of the points do not reach along an axis. Needs points.
+float quantile_m(std::vector<Eigen::Vector3f>& points, int axis, float share) {
+    const auto at =
+        points.begin() + static_cast<std::ptrdiff_t>(share * static_cast<float>(points.size() - 1));
+    std::ranges::nth_element(points, at, {}, [axis](const Eigen::Vector3f& p) { return p[axis]; });
+    return (*at)[axis];
+}
+
+/// The middle of the thing that is held in the middle of the view by hands that come from the sides, about
+/// two thirds of the side in size: its front, which is seen, is some fifth of a side before it.
+Eigen::Vector3f held_thing_c_m(const DepthView& view, float side_m) {
+    std::vector<Eigen::Vector3f> core = middle_points_c_m(view, 0.25f);
+    std::vector<Eigen::Vector3f> points = middle_points_c_m(view, 0.5f);
+    if (core.empty()) core = points;
+    const float near_m = quantile_m(core, 2, 0.02f);
+    std::erase_if(core, [&](const Eigen::Vector3f& p) { return p.z() > near_m + side_m; });
+    const float z_m = quantile_m(core, 2, 0.5f) + 0.22f * side_m;
+    const auto keep_near = [&](int axis, float middle_m, float reach_m) {
+        std::erase_if(points,
+                      [=](const Eigen::Vector3f& p) { return std::abs(p[axis] - middle_m) > reach_m; });
+    };
+    keep_near(2, z_m, 0.5f * side_m);
+    if (points.empty()) return {0.0f, 0.0f, z_m};
+    const float x_m = quantile_m(points, 0, 0.5f);
+    keep_near(0, x_m, 0.25f * side_m);
+    return {x_m, 0.5f * (quantile_m(points, 1, 0.01f) + quantile_m(points, 1, 0.99f)), z_m};
 }
 
 }  // namespace
 
 std::optional<RigidTransform> place_camera(const DepthView& view, float side_m) {
-    std::vector<Eigen::Vector3f> points = middle_points_c_m(view);
-    if (points.size() < min_points) return std::nullopt;
+    if (middle_points_c_m(view, 0.5f).size() < min_points) return std::nullopt;
     RigidTransform T_g_c = RigidTransform::Identity();
-    if (side_m >= object_side_m) {
+    if (side_m >= object_side_m)
         T_g_c.translation() = side_m * Eigen::Vector3f(0.5f, 0.5f, camera_inside_share);
-    } else {
-        const Eigen::Vector3f thing = nearest_thing_c_m(std::move(points), 0.5f * side_m);
-        T_g_c.translation() = Eigen::Vector3f::Constant(0.5f * side_m) - thing;
-    }
+    else
+        T_g_c.translation() = Eigen::Vector3f::Constant(0.5f * side_m) - held_thing_c_m(view, side_m);
     return T_g_c;
 }
 
@@ -77,6 +115,8 @@ Reconstruction::Reconstruction(const Device& device, const ReconstructionConfig&
       intrinsics_(intrinsics),
       conversion_(device, config_.conversion, intrinsics),
       tracking_(device, config_.tracking, intrinsics),
+      careful_tracking_(device, careful(config_), intrinsics),
+      moving_(device, config_.moving, intrinsics, config_.volume.side_m),
       volume_(device, config_.volume),
       weighting_(device, config_.weights, intrinsics),
       integration_(device, intrinsics, config_.noise),
@@ -114,6 +154,7 @@ ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<con
         if (frame.fused) fuse(has_intensity ? color_rgb : std::span<const std::uint8_t>{});
         if (frame.fused) keyframes_.add_if_new(make_small_picture(view), T_g_c_);
         if (frame.tracking.state != TrackingState::lost) {
+            moving_.remember(live_, T_g_c_, frame.fused);
             predict();
             std::swap(live_intensity_, model_intensity_);
             model_has_intensity_ = has_intensity;
@@ -124,16 +165,47 @@ ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<con
     return frame;
 }
 
+TrackingResult Reconstruction::align(CameraTracking& tracking, bool has_intensity,
+                                     std::span<const RigidTransform> guesses) {
+    const IntensityPair intensity{live_intensity_, model_intensity_};
+    mark_outside(T_g_p_);
+    TrackingResult result = tracking.track(live_, prediction_, guesses,
+                                           has_intensity && model_has_intensity_ ? &intensity : nullptr,
+                                           &outside_, fused_frames_);
+    judge_step(config_.tracking, result.T_p_c, result);
+    return result;
+}
+
+void Reconstruction::align_again(bool has_intensity, TrackingResult& found) {
+    const std::array guesses{RigidTransform::Identity(), velocity_, found.T_p_c};
+    const TrackingResult again = align(careful_tracking_, has_intensity, guesses);
+    if (again.state == TrackingState::lost) return;
+    const auto close = [&](const RigidTransform& T_p_c) {
+        return careful_tracking_.sum(prediction_, T_p_c, 0).close;
+    };
+    if (close(again.T_p_c) > careful_share * close(found.T_p_c)) found = again;
+}
+
+void Reconstruction::find_moving(ReconstructionFrame& frame) {
+    TrackingResult& tracking = frame.tracking;
+    frame.moving_share = moving_.find(live_, prediction_, tracking.T_p_c, T_g_p_ * tracking.T_p_c);
+    if (tracking.state != TrackingState::good || frame.moving_share < config_.poor_moving_share) return;
+    tracking.state = TrackingState::poor;
+    tracking.reason = fmt::format("{:.0f} % of the view moves by itself", 100.0f * frame.moving_share);
+}
+
 void Reconstruction::track(bool has_intensity, ReconstructionFrame& frame) {
     const StageTimer timer(times_, "camera tracking");
     const std::array guesses{RigidTransform::Identity(), velocity_};
-    const IntensityPair intensity{live_intensity_, model_intensity_};
-    mark_outside(T_g_p_);
-    frame.tracking = tracking_.track(live_, prediction_, guesses,
-                                     has_intensity && model_has_intensity_ ? &intensity : nullptr, &outside_,
-                                     fused_frames_);
-    judge_step(config_.tracking, frame.tracking.T_p_c, frame.tracking);
+    frame.tracking = align(tracking_, has_intensity, guesses);
+    find_moving(frame);
+    if (frame.moving_share > config_.track_again_share ||
+        frame.tracking.inlier_share < config_.track_again_inlier_share) {
+        align_again(has_intensity, frame.tracking);
+        find_moving(frame);
+    }
     if (frame.tracking.state == TrackingState::lost) {
+        moving_.forget();
         velocity_ = RigidTransform::Identity();
         return;
     }
@@ -162,12 +234,13 @@ void Reconstruction::relocalise(const DepthView& view, ReconstructionFrame& fram
 }
 
 void Reconstruction::mark_outside(const RigidTransform& T_g_c) {
-    mark_outside_.launch(eight_pixels_each(live_.shape), live_.filtered_m, outside_, live_.shape, intrinsics_,
-                         to_pose(T_g_c), -outside_margin_m, config_.volume.side_m + outside_margin_m);
+    mark_outside_.launch(eight_pixels_each(live_.shape), live_.filtered_m, moving_.mask(), outside_,
+                         live_.shape, intrinsics_, to_pose(T_g_c), -outside_margin_m,
+                         config_.volume.side_m + outside_margin_m);
 }
 
 void Reconstruction::fuse(std::span<const std::uint8_t> color_rgb) {
-    const Buffer<std::uint8_t>& weights = weighting_.weigh(live_);
+    const Buffer<std::uint8_t>& weights = weighting_.weigh(live_, moving_.mask());
     const std::vector<int>& bricks = [&]() -> const std::vector<int>& {
         const StageTimer timer(times_, "volumetric integration");
         const auto& updated =

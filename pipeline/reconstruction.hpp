@@ -8,6 +8,7 @@
 #include "pipeline/color_integration.hpp"
 #include "pipeline/depth_map_conversion.hpp"
 #include "pipeline/keyframes.hpp"
+#include "pipeline/moving_parts.hpp"
 #include "pipeline/raycasting.hpp"
 #include "pipeline/relocalisation.hpp"
 #include "pipeline/sample_weights.hpp"
@@ -28,8 +29,12 @@ struct ReconstructionConfig {
     VolumeConfig volume;
     SampleWeightConfig weights;
     ColorIntegrationConfig color;
-    int proving_frames = 5;  ///< that a pose found again must be tracked well before it is fused
-    bool use_color = true;   ///< brightness helps to track, where there is a colour picture
+    MovingPartsConfig moving;
+    /// Tracks again, with care and without what moves, where so much of the picture does, or so little fits.
+    float track_again_share = 0.003f, track_again_inlier_share = 0.96f;
+    float poor_moving_share = 0.5f;  ///< of the picture: not fused
+    int proving_frames = 5;          ///< that a pose found again must be tracked well before it is fused
+    bool use_color = true;           ///< brightness helps to track, where there is a colour picture
 };
 
 /// What one frame gave.
@@ -37,11 +42,12 @@ struct ReconstructionFrame {
     TrackingResult tracking;  ///< good without figures at the first frame
     RigidTransform T_g_c = RigidTransform::Identity();
     bool fused = false;
+    float moving_share = 0.0f;  ///< of the picture, that moves apart from the model
 };
 
 /// Where a cube of this side lies for a camera that is at its first frame: for a room, the camera starts near
-/// the middle of the front face; a cube of less than 1.5 m lies around the nearest thing in the middle of the
-/// view (an object that is turned by hand). Nothing while the view shows nothing.
+/// the middle of the front face; a cube of less than 1.5 m lies around the thing in the middle of the view
+/// (an object that is turned by hand). Nothing while the view shows nothing.
 std::optional<RigidTransform> place_camera(const DepthView& view, float side_m);
 
 /// Figures 2 and 11 for a moving camera: track against the growing model, fuse, predict. A camera that is
@@ -58,6 +64,8 @@ class Reconstruction {
     const TsdfVolume& volume() const { return volume_; }
     const SurfacePrediction& prediction() const { return prediction_; }
     const LiveMaps& live() const { return live_; }
+    /// Map of the last frame: 255 where something moves apart from the model, widened, else 0.
+    const Buffer<std::uint8_t>& moving_mask() const { return moving_.mask(); }
     const RigidTransform& T_g_c() const { return T_g_c_; }
     const KeyframeDatabase& keyframes() const { return keyframes_; }
     /// Stages by the paper's names, and "frame" for all of process().
@@ -65,6 +73,10 @@ class Reconstruction {
 
   private:
     void track(bool has_intensity, ReconstructionFrame& frame);
+    TrackingResult align(CameraTracking& tracking, bool has_intensity,
+                         std::span<const RigidTransform> guesses);
+    void find_moving(ReconstructionFrame& frame);
+    void align_again(bool has_intensity, TrackingResult& found);
     void relocalise(const DepthView& view, ReconstructionFrame& frame);
     void mark_outside(const RigidTransform& T_g_c);
     void fuse(std::span<const std::uint8_t> color_rgb);
@@ -75,7 +87,8 @@ class Reconstruction {
     Intrinsics intrinsics_;
     StageTimes times_;
     DepthMapConversion conversion_;
-    CameraTracking tracking_;
+    CameraTracking tracking_, careful_tracking_;
+    MovingParts moving_;
     TsdfVolume volume_;
     SampleWeighting weighting_;
     VolumetricIntegration integration_;
@@ -83,7 +96,7 @@ class Reconstruction {
     Raycasting raycasting_;
     Program bounds_program_;
     Kernel mark_outside_;
-    Buffer<std::uint8_t> outside_;  // live pixels that are not of the volume
+    Buffer<std::uint8_t> outside_;  // live pixels that are not of the volume, or move
     KeyframeDatabase keyframes_;
     std::optional<Relocalisation> relocalisation_;  // from the first loss on
     int frames_to_prove_ = 0;                       // after a loss, tracked but not fused

@@ -154,6 +154,26 @@ TEST(Reconstruction, BeginsWithTheFirstSurface) {
     EXPECT_GT(scene.reconstruction.volume().bricks_in_use(), 100);
 }
 
+/// A box of 180 mm is held 0.75 m away before a wall; one of the arms comes from nearer, the other from
+/// farther.
+TEST(Reconstruction, TheCubeLiesAroundWhatIsHeldNotAroundAHand) {
+    const Intrinsics k{575.8f, 575.8f, 319.5f, 239.5f, 640, 480, {0, 0}};
+    std::vector<std::uint16_t> depth_mm(640 * 480, 1800);
+    const auto put = [&](int left, int top, int right, int bottom, std::uint16_t z_mm) {
+        for (int y = top; y < bottom; ++y)
+            for (int x = left; x < right; ++x) depth_mm[static_cast<std::size_t>(y * 640 + x)] = z_mm;
+    };
+    put(242, 160, 397, 320, 670);  // the front of the box
+    put(0, 240, 270, 290, 550);
+    put(380, 190, 640, 230, 800);
+    const auto T_g_c = place_camera({depth_mm, k}, 0.32f);
+    ASSERT_TRUE(T_g_c.has_value());
+    const Eigen::Vector3f middle_c_m = T_g_c->inverse() * Eigen::Vector3f::Constant(0.16f);
+    EXPECT_LT((middle_c_m - Eigen::Vector3f(0.0f, 0.0f, 0.75f)).cwiseAbs().maxCoeff(), 0.02f)
+        << middle_c_m.transpose();
+    EXPECT_FALSE(place_camera({std::vector<std::uint16_t>(640 * 480, 0), k}, 0.32f).has_value());
+}
+
 /// One noise is every stage's: of a sensor four times as good, residuals are four times as many sigmas.
 TEST(Reconstruction, ResidualsAreInSigmasOfTheSensor) {
     const auto rms_sigmas = [](float share) {

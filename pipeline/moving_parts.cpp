@@ -1,0 +1,123 @@
+#include "pipeline/moving_parts.hpp"
+
+#include <utility>
+
+#include "pipeline/kernel_program.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr int window_levels = 7;          // WINDOW_LEVELS and
+constexpr int before_level = 3;           // windows of 8 pixels
+constexpr std::size_t window_slack = 64;  // WINDOW_SLACK of moving_parts.cl
+
+std::size_t cells(int per_side) {
+    const auto side = static_cast<std::size_t>(per_side);
+    return side * side * side;
+}
+
+}  // namespace
+
+MovingParts::MovingParts(const Device& device, const MovingPartsConfig& config, const Intrinsics& intrinsics,
+                         float side_m)
+    : config_(config),
+      intrinsics_(intrinsics),
+      shape_(make_map_shape(intrinsics)),
+      cell_m_(side_m / static_cast<float>(config.cells_per_side)),
+      association_(device, config.association, intrinsics),
+      components_(device, config.components, shape_),
+      program_(load_kernel_program(device, "moving_parts.cl")),
+      segmentation_(load_kernel_program(device, "foreground_segmentation.cl")),
+      copy_windows_(program_.kernel("copy_windows")),
+      double_windows_(program_.kernel("double_windows")),
+      remember_free_space_(program_.kernel("remember_free_space")),
+      mark_moving_(program_.kernel("mark_moving")),
+      hold_moving_(program_.kernel("hold_moving")),
+      widen_columns_(program_.kernel("widen_columns")),
+      keep_supported_seeds_(segmentation_.kernel("keep_supported_seeds")),
+      widen_rows_(segmentation_.kernel("widen_rows")),
+      codes_(device, map_pixels(shape_)),
+      candidates_(device, map_pixels(shape_)),
+      members_(device, map_pixels(shape_)),
+      parts_(device, map_pixels(shape_)),
+      wide_(device, map_pixels(shape_)),
+      mask_(device, map_pixels(shape_)),
+      seen_free_(device, cells(config.cells_per_side)),
+      held_(device, map_pixels(shape_)),
+      last_held_(device, map_pixels(shape_)),
+      labels_(device, map_pixels(shape_)),
+      no_fallback_m_(device, map_pixels(shape_)),
+      last_m_(device, map_pixels(shape_)),
+      windows_m_(device, window_levels * (map_pixels(shape_) + window_slack)) {
+    for (Before& before : before_) before.nearest_m = Buffer<float>(device, map_pixels(shape_));
+    seen_free_.fill(0);
+    no_fallback_m_.fill(0.0f);
+    forget();
+}
+
+void MovingParts::forget() {
+    mask_.fill(0);
+    held_.fill(0);
+    last_held_.fill(0);
+    last_m_.fill(0.0f);
+    for (Before& before : before_) before.nearest_m.fill(0.0f);
+}
+
+float MovingParts::find(const LiveMaps& live, const SurfacePrediction& model, const RigidTransform& T_p_c,
+                        const RigidTransform& T_g_c) {
+    const LaunchSize size = eight_pixels_each(shape_);
+    association_.associate(live, model, no_fallback_m_, T_p_c, codes_);
+    const Before& before = before_[next_before_];
+    const SensorNoise& noise = config_.association.noise;
+    mark_moving_.launch(size, codes_, live.filtered_m, seen_free_, before.nearest_m, candidates_, shape_,
+                        intrinsics_, to_pose(T_g_c), to_pose(before.T_g_b.inverse() * T_g_c), cell_m_,
+                        config_.cells_per_side, config_.enough_frames, config_.into_unknown ? 1 : 0, noise);
+    keep_supported_seeds_.launch(size, candidates_, members_, shape_);
+    const float share = select_components(components_.find(members_, live.filtered_m));
+    hold_moving_.launch(size, labels_, members_, codes_, live.filtered_m, last_m_, last_held_, held_, parts_,
+                        shape_, intrinsics_, to_pose(T_p_c), config_.hold_frames, noise);
+    widen_rows_.launch(size, parts_, wide_, shape_, config_.widen_px);
+    widen_columns_.launch(size, wide_, mask_, shape_, config_.widen_px);
+    return share;
+}
+
+float MovingParts::select_components(const std::vector<Component>& found) {
+    numbers_.clear();
+    int pixels = 0;
+    for (const Component& component : found) {
+        const auto enough = [&](int seeds) {
+            return seeds >= config_.min_seeds &&
+                   static_cast<float>(seeds) >= config_.min_seed_share * static_cast<float>(component.pixels);
+        };
+        numbers_.push_back(enough(component.seeds)                        ? 0
+                           : enough(component.seeds + component.unknowns) ? 1
+                                                                          : -1);
+        pixels += numbers_.back() >= 0 ? component.pixels : 0;
+    }
+    components_.number(numbers_, labels_, parts_);
+    return static_cast<float>(pixels) / static_cast<float>(shape_.width_px * shape_.height_px);
+}
+
+void MovingParts::remember(const LiveMaps& live, const RigidTransform& T_g_c, bool fused) {
+    const LaunchSize size = eight_pixels_each(shape_);
+    copy_windows_.launch(size, live.depth_m, windows_m_, shape_, 0);
+    for (int level = 1; level < window_levels; ++level)
+        double_windows_.launch(size, windows_m_, shape_, level);
+    if (fused) remember_free_space(live, T_g_c);
+    Before& before = before_[next_before_];
+    copy_windows_.launch(size, windows_m_, before.nearest_m, shape_, before_level);
+    before.T_g_b = T_g_c;
+    next_before_ = (next_before_ + 1) % before_.size();
+    copy_windows_.launch(size, live.filtered_m, last_m_, shape_, 0);
+    std::swap(held_, last_held_);
+}
+
+void MovingParts::remember_free_space(const LiveMaps& live, const RigidTransform& T_g_c) {
+    const auto side = static_cast<std::size_t>(config_.cells_per_side);
+    remember_free_space_.launch({{side / 8, side, side}, {side / 8, 1, 1}}, live.depth_m, mask_, windows_m_,
+                                seen_free_, cell_m_, config_.cells_per_side, config_.most_frames,
+                                config_.association.noise, intrinsics_, shape_, to_pose(T_g_c.inverse()));
+}
+
+}  // namespace touchstone

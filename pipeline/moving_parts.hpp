@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/connected_components.hpp"
+#include "pipeline/data_association.hpp"
+#include "pipeline/maps.hpp"
+#include "pipeline/types.hpp"
+#include "platform/opencl/program.hpp"
+
+namespace touchstone {
+
+struct MovingPartsConfig {
+    DataAssociationConfig association;
+    ConnectedComponentsConfig components;
+    int cells_per_side = 64;      ///< of the grid that remembers free space, a multiple of 8
+    int enough_frames = 4;        ///< in which a cell was seen free before it is believed, 1..255
+    int most_frames = 30;         ///< that are counted, 1..255
+    int min_seeds = 40;           ///< pixels of a component that came, or lie in free space
+    float min_seed_share = 0.1f;  ///< of a component's pixels
+    /// Where nothing is known and something comes, all that is connected to it comes: a hand at an object.
+    /// Else only what is before the model or in free space: a room shows new walls all the time.
+    bool into_unknown = false;
+    int hold_frames = 150;  ///< that something which came is left out when it rests, at most 255
+    int widen_px = 8;       ///< of the mask, at most 8
+};
+
+/// What moves apart from the model before a camera that moves, too: people in a room, hands at an object. A
+/// still scene shows new surfaces only where nobody has looked before; what shows up in space that was seen
+/// free came there by itself.
+class MovingParts {
+  public:
+    /// `side_m`: of the volume's cube.
+    MovingParts(const Device& device, const MovingPartsConfig& config, const Intrinsics& intrinsics,
+                float side_m);
+
+    /// Finds them in a live picture of the camera at T_g_c, which is T_p_c before the prediction. Waits for
+    /// the device. Gives their share of the picture.
+    float find(const LiveMaps& live, const SurfacePrediction& model, const RigidTransform& T_p_c,
+               const RigidTransform& T_g_c);
+    /// Map of what was found last, widened: 255 on moving parts, else 0.
+    const Buffer<std::uint8_t>& mask() const { return mask_; }
+    /// Remembers a picture of the camera at T_g_c, of which find() has found what moves; `fused`: also as
+    /// free space for long.
+    void remember(const LiveMaps& live, const RigidTransform& T_g_c, bool fused);
+    /// The camera is lost: nothing that was found holds.
+    void forget();
+    /// Frames in which each cell of the grid was free, x fastest.
+    const Buffer<std::uint8_t>& seen_free() const { return seen_free_; }
+
+  private:
+    /// The picture of some frames ago.
+    struct Before {
+        Buffer<float> nearest_m;  // in windows of 8 pixels
+        RigidTransform T_g_b = RigidTransform::Identity();
+    };
+
+    float select_components(const std::vector<Component>& found);
+    void remember_free_space(const LiveMaps& live, const RigidTransform& T_g_c);
+
+    MovingPartsConfig config_;
+    Intrinsics intrinsics_;
+    MapShape shape_;
+    float cell_m_;
+    DataAssociation association_;
+    ConnectedComponents components_;
+    Program program_, segmentation_;
+    Kernel copy_windows_, double_windows_, remember_free_space_, mark_moving_, hold_moving_, widen_columns_;
+    Kernel keep_supported_seeds_, widen_rows_;
+    Buffer<std::uint8_t> codes_, candidates_, members_, parts_, wide_, mask_, seen_free_, held_, last_held_;
+    Buffer<int> labels_;
+    Buffer<float> no_fallback_m_, last_m_, windows_m_;  // windows_m_: nearest depths, see moving_parts.cl
+    std::array<Before, 3> before_;                      // the oldest is next_before_
+    std::size_t next_before_ = 0;
+    std::vector<int> numbers_;
+};
+
+}  // namespace touchstone
