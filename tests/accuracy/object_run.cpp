@@ -99,6 +99,19 @@ int ghost_vertices(const Stage& stage, const InteractionPipeline& pipeline) {
     return ghosts;
 }
 
+void compare_with_before(const Stage& stage, const InteractionPipeline& pipeline,
+                         const std::vector<float>& before_m, PutAndTakeScore& score) {
+    score.bricks_after = pipeline.background()->volume().bricks_in_use();
+    const std::vector<float> after_m = predicted_m(pipeline);
+    for (const std::size_t i : stage.covered())
+        score.ghost_mm =
+            std::max(score.ghost_mm, 1000.0 * std::abs(static_cast<double>(after_m[i] - before_m[i])));
+    score.ghost_vertices = ghost_vertices(stage, pipeline);
+    const StageSummary summary = pipeline.stage_times().summary("object segmentation");
+    score.stage_ms = summary.median_ms;
+    score.stage_p99_ms = summary.p99_ms;
+}
+
 }  // namespace
 
 PutAndTakeScore run_put_and_take(const Device& device, const std::string& scene, int seed, int cycles) {
@@ -134,15 +147,7 @@ PutAndTakeScore run_put_and_take(const Device& device, const std::string& scene,
         score.megabytes_last = resident_megabytes();
     }
     score.settle_s /= std::max(1, score.settled);
-    score.bricks_after = run.pipeline.background()->volume().bricks_in_use();
-    const std::vector<float> after_m = predicted_m(run.pipeline);
-    for (const std::size_t i : stage.covered())
-        score.ghost_mm =
-            std::max(score.ghost_mm, 1000.0 * std::abs(static_cast<double>(after_m[i] - before_m[i])));
-    score.ghost_vertices = ghost_vertices(stage, run.pipeline);
-    const StageSummary summary = run.pipeline.stage_times().summary("object segmentation");
-    score.stage_ms = summary.median_ms;
-    score.stage_p99_ms = summary.p99_ms;
+    compare_with_before(stage, run.pipeline, before_m, score);
     return score;
 }
 
