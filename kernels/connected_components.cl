@@ -100,7 +100,7 @@ __kernel void list_roots(volatile __global int* labels, __global int* places, __
         if (last_root != at + i) continue;
         const int place = atomic_inc(count);
         places[at + i] = place;
-        const ComponentSums empty = {at + i, 0, 0, 0, INT_MAX, INT_MAX, -1, -1, 0, 0, {0, 0}};
+        const ComponentSums empty = {at + i, 0, 0, 0, INT_MAX, INT_MAX, -1, -1, 0, 0, 0, 0};
         sums[place] = empty;
     }
 }
@@ -109,6 +109,7 @@ inline void add_sums(__global ComponentSums* to, const ComponentSums s) {
     atomic_add(&to->pixels, s.pixels);
     if (s.seeds) atomic_add(&to->seeds, s.seeds);
     if (s.unknowns) atomic_add(&to->unknowns, s.unknowns);
+    if (s.expected) atomic_add(&to->expected, s.expected);
     atomic_min(&to->min_x, s.min_x);
     atomic_min(&to->min_y, s.min_y);
     atomic_max(&to->max_x, s.max_x);
@@ -121,7 +122,7 @@ inline void add_sums(__global ComponentSums* to, const ComponentSums s) {
 __kernel void sum_components(__global const uchar* members, __global const float* depth_m, __global const int* labels,
                              __global const int* places, __global ComponentSums* sums, const MapShape shape) {
     const int x = (int)get_global_id(0) * 8, first_y = (int)get_global_id(1) * TILE_PX;
-    const ComponentSums empty = {-1, 0, 0, 0, INT_MAX, INT_MAX, -1, -1, 0, 0, {0, 0}};
+    const ComponentSums empty = {-1, 0, 0, 0, INT_MAX, INT_MAX, -1, -1, 0, 0, 0, 0};
     ComponentSums s = empty;
     for (int y = first_y; y < first_y + TILE_PX; ++y) {
         const int at = y * shape.pitch_px + x;
@@ -134,10 +135,11 @@ __kernel void sum_components(__global const uchar* members, __global const float
                 s = empty;
                 s.root = root;
             }
-            const uchar member = members[at + i];
+            const uchar member = members[at + i], kind = member & (MEMBER_EXPECTED - 1);
             ++s.pixels;
-            s.seeds += member == MEMBER_SEED;
-            s.unknowns += member == MEMBER_UNKNOWN;
+            s.seeds += kind == MEMBER_SEED;
+            s.unknowns += kind == MEMBER_UNKNOWN;
+            s.expected += (member & MEMBER_EXPECTED) != 0;
             s.min_x = min(s.min_x, x + i);
             s.min_y = min(s.min_y, y);
             s.max_x = max(s.max_x, x + i);

@@ -137,8 +137,9 @@ typedef struct DriftParams {
     int first_row, row_step, reserved;
 } DriftParams;
 
-/* Pixels given to connected components: 0 is none of them; the others are counted apart. */
-enum ComponentMember { MEMBER_NONE = 0, MEMBER_GROWTH = 1, MEMBER_SEED = 2, MEMBER_UNKNOWN = 3 };
+/* Pixels given to connected components: 0 is none of them; the others are counted apart. MEMBER_EXPECTED is added to one
+ * of them where the foreground was a moment ago. */
+enum ComponentMember { MEMBER_NONE = 0, MEMBER_GROWTH = 1, MEMBER_SEED = 2, MEMBER_UNKNOWN = 3, MEMBER_EXPECTED = 4 };
 
 /* Neighbours are connected when their depths differ by less than max(gap_sigmas sigma_z(z), gap_per_m z). */
 typedef struct ConnectionParams {
@@ -152,7 +153,7 @@ typedef struct ComponentSums {
     int pixels, seeds, unknowns;
     int min_x, min_y, max_x, max_y;
     int depth_mm_low, depth_mm_high; /* sum of depths = high 2^16 + low, millimetres */
-    int reserved[2];
+    int expected, reserved;
 } ComponentSums;
 
 /* Base colours 0..1, w: how much they shine; the light's direction in the camera frame, from the light. */

@@ -18,6 +18,7 @@ Component to_component(const ComponentSums& sums, std::size_t place) {
             sums.pixels,
             sums.seeds,
             sums.unknowns,
+            sums.expected,
             {sums.min_x, sums.min_y, sums.max_x, sums.max_y},
             static_cast<float>(0.001 * depth_sum_mm / std::max(1, sums.pixels))};
 }

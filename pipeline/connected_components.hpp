@@ -26,6 +26,7 @@ struct Component {
     int pixels = 0;
     int seeds = 0;     ///< pixels of MEMBER_SEED
     int unknowns = 0;  ///< pixels of MEMBER_UNKNOWN
+    int expected = 0;  ///< pixels with MEMBER_EXPECTED
     PixelBox box;
     float mean_depth_m = 0.0f;
 };

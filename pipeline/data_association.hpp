@@ -13,7 +13,7 @@ struct DataAssociationConfig {
     /// One step of disparity in 1/z, 1/m: 1/8 px over focal length times baseline of a Kinect v1.
     float disparity_step_per_m = 0.0029f;
     float sigmas_high = 4.0f;  ///< in front of the model: surely
-    float sigmas_low = 2.0f;   ///< in front: where it is connected to a sure pixel
+    float sigmas_low = 1.5f;   ///< in front: where it is connected to a sure pixel
     /// Angle from which a pixel at the model's depth is marked as turned; 180: not compared (and faster).
     float max_normal_angle_deg = 180.0f;
 };

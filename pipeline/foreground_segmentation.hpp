@@ -13,9 +13,12 @@ namespace touchstone {
 struct ForegroundSegmentationConfig {
     DataAssociationConfig association;
     ConnectedComponentsConfig components;
-    float min_area_m2 = 1.5e-4f;    ///< smaller components are dropped
-    int min_pixels = 40;            ///< so are these: noise is alike over some pixels, however far they are
-    float min_seed_share = 0.1f;    ///< of a component's pixels that are surely in front
+    float min_area_m2 = 1.5e-4f;  ///< smaller components are dropped
+    int min_pixels = 40;          ///< so are these: noise is alike over some pixels, however far they are
+    float min_seed_share = 0.1f;  ///< of a component's pixels that are surely in front
+    /// What appears apart from the foreground of late is believed in its second frame, unless it is so many
+    /// times the smallest: for a frame, the sensor puts small things where there are none.
+    float sure_areas = 8.0f;
     float unknown_area_m2 = 4e-3f;  ///< from where on pixels far from anything known are seeds
     float unknown_depth_m = 5.5f;   ///< and nearer than this
     float edge_jump_per_m = 0.02f;  ///< the model has an edge where depth changes by this times the depth
@@ -59,7 +62,12 @@ class ForegroundSegmentation {
   private:
     void mark_candidates(const LiveMaps& live, const SurfacePrediction& background);
     void select_components(const std::vector<Component>& found);
+    enum class Verdict { dropped, doubted, taken };
+    Verdict judge(const Component& component) const;
+    void believe_neighbours(const std::vector<Component>& found);
+    void number_components(const std::vector<Component>& found, Verdict least, Buffer<std::uint8_t>& mask);
     bool is_foreground(const Component& component) const;
+    float area_m2(const Component& component, int pixels) const;
     float min_area_m2(float depth_m) const;
     void mask_background(const LiveMaps& live, const SurfacePrediction& background);
 
@@ -71,8 +79,9 @@ class ForegroundSegmentation {
     Program program_;
     Kernel mark_candidates_, keep_supported_seeds_, widen_rows_, mask_background_;
     Foreground foreground_;
-    Buffer<std::uint8_t> candidates_, members_, wide_, held_;
+    Buffer<std::uint8_t> candidates_, members_, doubted_, wide_, held_;
     Buffer<float> fallback_m_;
+    std::vector<Verdict> verdicts_;  ///< of the components of this frame
     std::vector<int> numbers_;
 };
 

@@ -66,7 +66,7 @@ std::vector<Field> shared_fields() {
             FIELD(ConnectionParams, gap_sigmas),
             FIELD(ConnectionParams, gap_per_m),
             FIELD(ComponentSums, min_x),
-            FIELD(ComponentSums, reserved),
+            FIELD(ComponentSums, expected),
             FIELD(ShadingParams, foreground),
             FIELD(ShadingParams, light_c),
             FIELD(AlignmentParams, centre_p),

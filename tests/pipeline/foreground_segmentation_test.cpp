@@ -232,6 +232,41 @@ TEST(ForegroundSegmentation, TheBackgroundsMaskIsWiderAndOutlivesTheForeground) 
     }
 }
 
+/// A ball of 3 cm across on nothing, where there was none: believed in the second frame, kept from the
+/// background in the first.
+TEST(ForegroundSegmentation, WhatAppearsSmallAndAloneIsBelievedInItsSecondFrame) {
+    Stage stage;
+    stage.set_background(table());
+    const DepthOfRay ball = test::sphere(Eigen::Vector3f(0.05f, 0.0f, 0.85f), 0.015f);
+    const Foreground& foreground = stage.segment(stage.sense(test::both(table(), ball)));
+    EXPECT_TRUE(foreground.components.empty());
+    EXPECT_EQ(marked(stage.picture(foreground.mask)), 0u);
+    EXPECT_GT(marked(stage.picture(foreground.background_mask)), 300u);
+    for (int frame = 1; frame < 10; ++frame)
+        EXPECT_EQ(stage.segment(stage.sense(test::both(table(), ball))).components.size(), 1u) << frame;
+}
+
+/// A spot that the sensor puts somewhere else in each frame is never believed.
+TEST(ForegroundSegmentation, SpotsOfOneFrameAreNot) {
+    Stage stage;
+    stage.set_background(table());
+    for (int frame = 0; frame < 12; ++frame) {
+        const float x_m = -0.2f + 0.1f * static_cast<float>(frame * 2 % 5);
+        const float y_m = -0.12f + 0.1f * static_cast<float>(frame % 3);
+        const DepthOfRay ball = test::sphere(Eigen::Vector3f(x_m, y_m, 0.8f), 0.015f);
+        EXPECT_TRUE(stage.segment(stage.sense(test::both(table(), ball))).components.empty()) << frame;
+    }
+}
+
+/// A piece that noise broke off a hand is believed at once.
+TEST(ForegroundSegmentation, APieceBesideTheForegroundIsBelieved) {
+    Stage stage;
+    stage.set_background(table());
+    const DepthOfRay ball = test::sphere(Eigen::Vector3f(0.11f, 0.0f, 0.82f), 0.015f);
+    const DepthOfRay both = test::both(box_front(0.7f), ball);
+    EXPECT_EQ(stage.segment(stage.sense(test::both(table(), both))).components.size(), 2u);
+}
+
 TEST(ForegroundSegmentation, EmptyFramesAndOddSizes) {
     for (const auto& [width, height] : {std::pair{1, 1}, {17, 9}, {160, 120}}) {
         const Intrinsics k = test::small_camera(width, height);

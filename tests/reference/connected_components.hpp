@@ -11,7 +11,7 @@
 namespace touchstone::reference {
 
 struct FloodComponent {
-    int pixels = 0, seeds = 0, unknowns = 0;
+    int pixels = 0, seeds = 0, unknowns = 0, expected = 0;
     int min_x = 1 << 30, min_y = 1 << 30, max_x = -1, max_y = -1;
     double depth_sum_m = 0.0;
 };
@@ -40,8 +40,10 @@ inline FloodResult flood_fill(const std::vector<std::uint8_t>& members, const st
         result.labels[at] = label;
         FloodComponent& c = result.components[static_cast<std::size_t>(label)];
         ++c.pixels;
-        c.seeds += members[at] == MEMBER_SEED;
-        c.unknowns += members[at] == MEMBER_UNKNOWN;
+        const int kind = members[at] & (MEMBER_EXPECTED - 1);
+        c.seeds += kind == MEMBER_SEED;
+        c.unknowns += kind == MEMBER_UNKNOWN;
+        c.expected += (members[at] & MEMBER_EXPECTED) != 0;
         c.min_x = std::min(c.min_x, x), c.max_x = std::max(c.max_x, x);
         c.min_y = std::min(c.min_y, y), c.max_y = std::max(c.max_y, y);
         c.depth_sum_m += static_cast<double>(depth_m[at]);

@@ -53,13 +53,16 @@ inline ComponentMember mark_candidate(const Grid<std::uint8_t>& codes, const Gri
     return !edge || before_all ? MEMBER_SEED : MEMBER_GROWTH;
 }
 
-inline std::uint8_t keep_supported_seed(const Grid<std::uint8_t>& members, int x, int y) {
-    if (members.at(x, y) <= MEMBER_GROWTH) return members.at(x, y);
+inline std::uint8_t keep_supported_seed(const Grid<std::uint8_t>& members, const Grid<std::uint8_t>& held,
+                                        int x, int y) {
+    if (members.at(x, y) == MEMBER_NONE) return MEMBER_NONE;
+    const int expected = held.at(x, y) != 0 ? int{MEMBER_EXPECTED} : 0;
+    if (members.at(x, y) == MEMBER_GROWTH) return static_cast<std::uint8_t>(MEMBER_GROWTH | expected);
     int around = 0;
     for (int j = -1; j <= 1; ++j) {
         for (int i = -1; i <= 1; ++i) around += members.at(x + i, y + j) != 0;
     }
-    return around >= 7 ? members.at(x, y) : static_cast<std::uint8_t>(MEMBER_GROWTH);
+    return static_cast<std::uint8_t>((around >= 7 ? int{members.at(x, y)} : int{MEMBER_GROWTH}) | expected);
 }
 
 inline bool any_near(const Grid<std::uint8_t>& mask, int x, int y, int radius_px) {
