@@ -75,6 +75,7 @@ SurfaceScore score_surface(const SurfaceMesh& mesh, const SurfaceMesh& truth, st
     score.percentile_95_mm = percentile(off, 0.95);
     score.share_over_5_mm = 1.0 - share_within(off, 5.0);
     score.share_over_10_mm = 1.0 - share_within(off, 10.0);
+    score.share_over_50_mm = 1.0 - share_within(off, 50.0);
     score.completeness_5_mm = share_within(missed, 5.0);
     score.completeness_10_mm = share_within(missed, 10.0);
     score.samples = samples;

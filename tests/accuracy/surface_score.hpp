@@ -24,7 +24,7 @@ Eigen::Isometry3f align_to_truth(const SurfaceMesh& mesh, const SurfaceMesh& tru
 struct SurfaceScore {
     // Accuracy: from points of the reconstruction to the truth.
     double mean_mm = 0.0, rms_mm = 0.0, median_mm = 0.0, percentile_95_mm = 0.0;
-    double share_over_5_mm = 0.0, share_over_10_mm = 0.0;
+    double share_over_5_mm = 0.0, share_over_10_mm = 0.0, share_over_50_mm = 0.0;
     // Completeness: share of points of the truth this close to the reconstruction.
     double completeness_5_mm = 0.0, completeness_10_mm = 0.0;
     std::size_t samples = 0;  ///< points on each

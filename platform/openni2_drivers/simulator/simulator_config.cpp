@@ -12,8 +12,8 @@ namespace touchstone {
 namespace {
 
 constexpr std::string_view key_names =
-    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, mesh, "
-    "size_m, grip, object, put_s, take_s, cycle_s, knock_s, knock_deg, knock_mm";
+    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, person, "
+    "mesh, size_m, grip, object, put_s, take_s, cycle_s, knock_s, knock_deg, knock_mm";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -102,8 +102,7 @@ bool applies(std::string_view key, SimulatedScene scene) {
         if (key == of_tables) return is_table(scene);
     for (const std::string_view of_objects : {"mesh", "size_m", "grip"})
         if (key == of_objects) return object;
-    if (key == "masks") return is_table(scene) || object;
-    if (key == "motion") return !is_table(scene) && !object;
+    if (key == "motion" || key == "person" || key == "person_s") return !is_table(scene) && !object;
     return true;
 }
 
@@ -159,6 +158,10 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
         config.empty_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "rate")
         config.rate_hz = parse_number(key, value, 1.0, 120.0);
+    else if (key == "person")
+        config.person = parse_number(key, value, 0.0, 0.6);
+    else if (key == "person_s")
+        config.person_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "size_m")
         config.size_m = parse_number(key, value, 0.02, 0.5);
     else if (key == "knock_s")

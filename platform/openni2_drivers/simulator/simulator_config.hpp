@@ -42,6 +42,9 @@ struct SimulatorConfig {
     double empty_s = 2.5;      ///< without hands at the start
     double rate_hz = 30.0;
     CameraMotion motion = CameraMotion::still;
+    double person = 0.0;     ///< somebody walks before the camera of `room` and `wall`, and covers about this
+                             ///< share of the pixels; 0 = nobody
+    double person_s = 0.0;   ///< when they come in; 0 = they are there from the start
     std::string mesh_path;   ///< of `object`; empty = a bowl
     double size_m = 0.25;    ///< longest side of the object
     bool fingers = false;    ///< two hands hold the object, else it floats

@@ -70,6 +70,9 @@ TEST(SimulatorConfig, ReadsTheKeysOfAMovingCamera) {
     EXPECT_EQ(config.poses_path, "/tmp/p.txt");
     EXPECT_EQ(config.frames, 9);
     EXPECT_FALSE(config.drift);
+    EXPECT_EQ(config.person, 0.0);
+    EXPECT_EQ(parse_simulator_uri("room?person=0.25&masks=/tmp/m").person, 0.25);
+    EXPECT_EQ(parse_simulator_uri("room?person=0.25&person_s=2.5").person_s, 2.5);
     EXPECT_EQ(parse_simulator_uri("wall?motion=slide").motion, CameraMotion::slide);
     EXPECT_EQ(parse_simulator_uri("wall?motion=sweep").motion, CameraMotion::sweep);
     EXPECT_EQ(parse_simulator_uri("wall?motion=orbit").scene, SimulatedScene::wall);
@@ -105,7 +108,10 @@ TEST(SimulatorConfig, RefusesKeysOfOtherScenes) {
     EXPECT_THAT(refusal("room?truth=/tmp/t"), HasSubstr("key truth is not for the scene room"));
     EXPECT_THAT(refusal("object?motion=still"), HasSubstr("key motion is not for the scene object"));
     EXPECT_THAT(refusal("bowl?mesh=/tmp/a.obj"), HasSubstr("key mesh is not for the scene bowl"));
-    EXPECT_THAT(refusal("room?masks=/tmp"), HasSubstr("key masks is not for the scene room"));
+    EXPECT_THAT(refusal("flat?person=0.2"), HasSubstr("key person is not for the scene flat"));
+    EXPECT_THAT(refusal("object?person=0.2"), HasSubstr("key person is not for the scene object"));
+    EXPECT_THAT(refusal("room?person=0.7"),
+                AllOf(HasSubstr("person"), HasSubstr("0 to 0.6"), HasSubstr("'0.7'")));
     EXPECT_THAT(refusal("object?grip=tongs"), AllOf(HasSubstr("none or fingers"), HasSubstr("'tongs'")));
     EXPECT_THAT(refusal("object?size_m=3"), AllOf(HasSubstr("size_m"), HasSubstr("0.02 to 0.5")));
     EXPECT_THAT(refusal("flat?knock_deg=-1"), AllOf(HasSubstr("knock_deg"), HasSubstr("0 to 180")));
