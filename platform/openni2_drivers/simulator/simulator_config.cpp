@@ -12,7 +12,8 @@ namespace touchstone {
 namespace {
 
 constexpr std::string_view key_names =
-    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, person, "
+    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, "
+    "person, "
     "mesh, size_m, grip, object, put_s, take_s, cycle_s, knock_s, knock_deg, knock_mm";
 
 [[noreturn]] void refuse(const std::string& message) {
