@@ -35,6 +35,9 @@ CameraTrackingConfig careful(const ReconstructionConfig& config) {
     return tracking;
 }
 
+/// Of an object: when less fits, a hand has begun to let go.
+constexpr float object_inlier_share = 0.96f;
+
 ReconstructionConfig with_shared_noise(ReconstructionConfig config) {
     config.conversion.noise = config.noise;
     config.tracking.noise = config.noise;
@@ -45,6 +48,7 @@ ReconstructionConfig with_shared_noise(ReconstructionConfig config) {
     if (config.volume.side_m < object_side_m) {
         config.tracking.levels = object_levels;
         config.moving.into_unknown = true;
+        config.track_again_inlier_share = object_inlier_share;
     }
     return config;
 }
@@ -183,7 +187,14 @@ void Reconstruction::align_again(bool has_intensity, TrackingResult& found) {
     const auto close = [&](const RigidTransform& T_p_c) {
         return careful_tracking_.sum(prediction_, T_p_c, 0).close;
     };
-    if (close(again.T_p_c) > careful_share * close(found.T_p_c)) found = again;
+    if (close(again.T_p_c) <= careful_share * close(found.T_p_c)) return;
+    // Close gates leave few pairs of a noisy picture: that is no reason to think less of the pose.
+    const TrackingResult before = found;
+    found = again;
+    if (before.state >= again.state) return;
+    found.state = before.state;
+    found.reason = before.reason;
+    found.inlier_share = before.inlier_share;
 }
 
 void Reconstruction::find_moving(ReconstructionFrame& frame) {

@@ -31,7 +31,7 @@ struct ReconstructionConfig {
     ColorIntegrationConfig color;
     MovingPartsConfig moving;
     /// Tracks again, with care and without what moves, where so much of the picture does, or so little fits.
-    float track_again_share = 0.003f, track_again_inlier_share = 0.96f;
+    float track_again_share = 0.003f, track_again_inlier_share = 0.0f;
     float poor_moving_share = 0.5f;  ///< of the picture: not fused
     int proving_frames = 5;          ///< that a pose found again must be tracked well before it is fused
     bool use_color = true;           ///< brightness helps to track, where there is a colour picture
