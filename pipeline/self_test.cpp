@@ -96,7 +96,8 @@ class SelfTest {
         mapping.update(live_.depth_m, foreground.mask, background, std::span(&all, 1), touch);
         expect_near("listing_4_touch_map", at(touch.height_m, in_square()), wall_m - square_m, 0.001f);
         expect_near("listing_4_touch_map", at(touch.touch, in_square()), 255.0f, 0.0f);
-        const ShadedView view = Rendering(device_, {}, camera).render(background, {live_.normals_c, foreground.mask});
+        const ShadedView view =
+            Rendering(device_, {}, camera).render(background, {live_.normals_c, foreground.mask});
         const auto alpha =
             static_cast<std::size_t>(4 * ((square_first_px + 5) * width_px + square_first_px + 5) + 3);
         expect_near("shading", static_cast<float>(view.rgba[alpha]), 0.0f, 0.0f);
