@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view key_names =
     "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, mesh, "
-    "size_m, grip, knock_s, knock_deg, knock_mm";
+    "size_m, grip, distance, knock_s, knock_deg, knock_mm";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -68,7 +68,7 @@ bool applies(std::string_view key, SimulatedScene scene) {
     const bool object = scene == SimulatedScene::object;
     for (const std::string_view of_tables : {"hands", "human", "truth", "height", "tilt", "empty"})
         if (key == of_tables) return is_table(scene);
-    for (const std::string_view of_objects : {"mesh", "size_m", "grip"})
+    for (const std::string_view of_objects : {"mesh", "size_m", "grip", "distance"})
         if (key == of_objects) return object;
     if (key == "masks") return is_table(scene) || object;
     if (key == "motion") return !is_table(scene) && !object;
@@ -129,6 +129,8 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
         config.rate_hz = parse_number(key, value, 1.0, 120.0);
     else if (key == "size_m")
         config.size_m = parse_number(key, value, 0.02, 0.5);
+    else if (key == "distance")
+        config.distance_m = parse_number(key, value, 0.5, 1.5);
     else if (key == "knock_s")
         config.knock_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "knock_deg")

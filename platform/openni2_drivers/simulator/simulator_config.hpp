@@ -39,12 +39,13 @@ struct SimulatorConfig {
     double empty_s = 2.5;      ///< without hands at the start
     double rate_hz = 30.0;
     CameraMotion motion = CameraMotion::still;
-    std::string mesh_path;   ///< of `object`; empty = a bowl
-    double size_m = 0.25;    ///< longest side of the object
-    bool fingers = false;    ///< two hands hold the object, else it floats
-    double knock_s = 5.0;    ///< when the camera is knocked, in one frame step
-    double knock_deg = 0.0;  ///< it turns by so much about an axis from the seed
-    double knock_mm = 0.0;   ///< and is shifted by so much in a direction from the seed
+    std::string mesh_path;     ///< of `object`; empty = a bowl
+    double size_m = 0.25;      ///< longest side of the object
+    bool fingers = false;      ///< two hands hold the object, else it floats
+    double distance_m = 0.75;  ///< of the object's middle from the camera
+    double knock_s = 5.0;      ///< when the camera is knocked, in one frame step
+    double knock_deg = 0.0;    ///< it turns by so much about an axis from the seed
+    double knock_mm = 0.0;     ///< and is shifted by so much in a direction from the seed
     std::string poses_path;  ///< empty = no poses: the camera's true pose in the scene, a line for each frame
 };
 
