@@ -32,7 +32,8 @@ class ObjectView : public SceneView {
 
     Eigen::Isometry3d draw(int frame, Picture& picture) override {
         const int time = TurnedObject::folded(frame);
-        T_w_c_ = look_at({0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}) * knock(config_, frame / config_.rate_hz);
+        T_w_c_ = look_at({0.0, TurnedObject::distance_m - config_.distance_m, 0.0}, {0.0, 2.0, 0.0}) *
+                 knock(config_, frame / config_.rate_hz);
         T_w_o_ = turned_.at(time);
         rasterise(wall_, T_w_c_.inverse(), kinect_intrinsics(), wall_raster_);
         rasterise(mesh_, T_w_c_.inverse() * T_w_o_, kinect_intrinsics(), raster_);

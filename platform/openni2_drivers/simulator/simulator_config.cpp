@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view key_names =
     "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, "
-    "person, "
-    "mesh, size_m, grip, object, put_s, take_s, cycle_s, knock_s, knock_deg, knock_mm";
+    "person, person_s, mesh, size_m, grip, distance, object, put_s, take_s, cycle_s, knock_s, knock_deg, "
+    "knock_mm";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -101,7 +101,7 @@ bool applies(std::string_view key, SimulatedScene scene) {
     for (const std::string_view of_tables :
          {"hands", "human", "truth", "height", "tilt", "empty", "object", "put_s", "take_s", "cycle_s"})
         if (key == of_tables) return is_table(scene);
-    for (const std::string_view of_objects : {"mesh", "size_m", "grip"})
+    for (const std::string_view of_objects : {"mesh", "size_m", "grip", "distance"})
         if (key == of_objects) return object;
     if (key == "motion" || key == "person" || key == "person_s") return !is_table(scene) && !object;
     return true;
@@ -165,6 +165,8 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
         config.person_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "size_m")
         config.size_m = parse_number(key, value, 0.02, 0.5);
+    else if (key == "distance")
+        config.distance_m = parse_number(key, value, 0.5, 1.5);
     else if (key == "knock_s")
         config.knock_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "knock_deg")

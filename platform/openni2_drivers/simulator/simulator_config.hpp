@@ -52,9 +52,16 @@ struct SimulatorConfig {
     double knock_deg = 0.0;  ///< it turns by so much about an axis from the seed
     double knock_mm = 0.0;   ///< and is shifted by so much in a direction from the seed
     ObjectKind object = ObjectKind::none;
-    double put_s = -1.0;     ///< when the object is set down; negative: it is there from the start
-    double take_s = -1.0;    ///< when it is taken hold of; negative: never
-    double cycle_s = 0.0;    ///< 0: once; else all of this again after so long
+    double put_s = -1.0;       ///< when the object is set down; negative: it is there from the start
+    double take_s = -1.0;      ///< when it is taken hold of; negative: never
+    double cycle_s = 0.0;      ///< 0: once; else all of this again after so long
+    std::string mesh_path;     ///< of `object`; empty = a bowl
+    double size_m = 0.25;      ///< longest side of the object
+    bool fingers = false;      ///< two hands hold the object, else it floats
+    double distance_m = 0.75;  ///< of the object's middle from the camera
+    double knock_s = 5.0;      ///< when the camera is knocked, in one frame step
+    double knock_deg = 0.0;    ///< it turns by so much about an axis from the seed
+    double knock_mm = 0.0;     ///< and is shifted by so much in a direction from the seed
     std::string poses_path;  ///< empty = no poses: the camera's true pose in the scene, a line for each frame
 };
 

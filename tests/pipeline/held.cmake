@@ -1,0 +1,1 @@
+touchstone_test(held_object_test SOURCES held_object_test.cpp LIBRARIES touchstone_pipeline)
