@@ -42,15 +42,9 @@ struct SimulatorConfig {
     double empty_s = 2.5;      ///< without hands at the start
     double rate_hz = 30.0;
     CameraMotion motion = CameraMotion::still;
-    double person = 0.0;     ///< somebody walks before the camera of `room` and `wall`, and covers about this
-                             ///< share of the pixels; 0 = nobody
-    double person_s = 0.0;   ///< when they come in; 0 = they are there from the start
-    std::string mesh_path;   ///< of `object`; empty = a bowl
-    double size_m = 0.25;    ///< longest side of the object
-    bool fingers = false;    ///< two hands hold the object, else it floats
-    double knock_s = 5.0;    ///< when the camera is knocked, in one frame step
-    double knock_deg = 0.0;  ///< it turns by so much about an axis from the seed
-    double knock_mm = 0.0;   ///< and is shifted by so much in a direction from the seed
+    double person = 0.0;    ///< somebody walks before the camera of `room` and `wall`, and covers about this
+                            ///< share of the pixels; 0 = nobody
+    double person_s = 0.0;  ///< when they come in; 0 = they are there from the start
     ObjectKind object = ObjectKind::none;
     double put_s = -1.0;       ///< when the object is set down; negative: it is there from the start
     double take_s = -1.0;      ///< when it is taken hold of; negative: never
