@@ -152,12 +152,14 @@ HeldObject::Pose HeldObject::align(CameraTracking& tracking, const LiveMaps& liv
 
 void HeldObject::leave_out_others(const LiveMaps& live, const Buffer<std::uint8_t>& mask,
                                   const RigidTransform& T_o_c) {
-    mark_outside_.launch(eight_pixels_each(live.shape), live.filtered_m, excluded_, live.shape, intrinsics_,
-                         to_pose(T_o_c), -outside_margin_m, volume_.config().side_m + outside_margin_m);
-    const auto foreground = mask.map_read();
-    const auto excluded = excluded_.map_update();
-    for (std::size_t i = 0; i < excluded.values().size(); ++i)
-        excluded[i] = excluded[i] != 0 || foreground[i] == 0 ? 1 : 0;
+    {
+        const auto foreground = mask.map_read();
+        const auto excluded = excluded_.map_write();
+        for (std::size_t i = 0; i < excluded.values().size(); ++i) excluded[i] = foreground[i] == 0 ? 1 : 0;
+    }
+    mark_outside_.launch(eight_pixels_each(live.shape), live.filtered_m, excluded_, excluded_, live.shape,
+                         intrinsics_, to_pose(T_o_c), -outside_margin_m,
+                         volume_.config().side_m + outside_margin_m);
 }
 
 void HeldObject::predict(const RigidTransform& T_o_c) { raycasting_.raycast(volume_, T_o_c, prediction_); }

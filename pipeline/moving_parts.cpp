@@ -40,6 +40,7 @@ MovingParts::MovingParts(const Device& device, const MovingPartsConfig& config, 
       codes_(device, map_pixels(shape_)),
       candidates_(device, map_pixels(shape_)),
       members_(device, map_pixels(shape_)),
+      none_expected_(device, map_pixels(shape_)),
       parts_(device, map_pixels(shape_)),
       wide_(device, map_pixels(shape_)),
       mask_(device, map_pixels(shape_)),
@@ -52,6 +53,7 @@ MovingParts::MovingParts(const Device& device, const MovingPartsConfig& config, 
       windows_m_(device, window_levels * (map_pixels(shape_) + window_slack)) {
     for (Before& before : before_) before.nearest_m = Buffer<float>(device, map_pixels(shape_));
     seen_free_.fill(0);
+    none_expected_.fill(0);
     no_fallback_m_.fill(0.0f);
     forget();
 }
@@ -73,7 +75,7 @@ float MovingParts::find(const LiveMaps& live, const SurfacePrediction& model, co
     mark_moving_.launch(size, codes_, live.filtered_m, seen_free_, before.nearest_m, candidates_, shape_,
                         intrinsics_, to_pose(T_g_c), to_pose(before.T_g_b.inverse() * T_g_c), cell_m_,
                         config_.cells_per_side, config_.enough_frames, config_.into_unknown ? 1 : 0, noise);
-    keep_supported_seeds_.launch(size, candidates_, members_, shape_);
+    keep_supported_seeds_.launch(size, candidates_, none_expected_, members_, shape_);
     const float share = select_components(components_.find(members_, live.filtered_m));
     hold_moving_.launch(size, labels_, members_, codes_, live.filtered_m, last_m_, last_held_, held_, parts_,
                         shape_, intrinsics_, to_pose(T_p_c), config_.hold_frames, noise);

@@ -69,7 +69,8 @@ class MovingParts {
     Program program_, segmentation_;
     Kernel copy_windows_, double_windows_, remember_free_space_, mark_moving_, hold_moving_, widen_columns_;
     Kernel keep_supported_seeds_, widen_rows_;
-    Buffer<std::uint8_t> codes_, candidates_, members_, parts_, wide_, mask_, seen_free_, held_, last_held_;
+    Buffer<std::uint8_t> codes_, candidates_, members_, none_expected_, parts_, wide_, mask_, seen_free_,
+        held_, last_held_;
     Buffer<int> labels_;
     Buffer<float> no_fallback_m_, last_m_, windows_m_;  // windows_m_: nearest depths, see moving_parts.cl
     std::array<Before, 3> before_;                      // the oldest is next_before_
