@@ -123,6 +123,9 @@ class TrackSession {
         }
         const ReconstructionFrame result = reconstruction_->process(view, frame.color_rgb);
         tally_.add(frame, result);
+        if (result.moving_share > 0.0f)
+            log_debug("frame {}: {:.2f} % of the view moves by itself", frame.index,
+                      100.0f * result.moving_share);
         if (trajectory_ && result.tracking.state != TrackingState::lost)
             trajectory_->add(frame.timestamp_us, result.T_g_c);
     }

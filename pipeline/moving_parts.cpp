@@ -1,5 +1,6 @@
 #include "pipeline/moving_parts.hpp"
 
+#include <numbers>
 #include <utility>
 
 #include "pipeline/kernel_program.hpp"
@@ -71,17 +72,24 @@ float MovingParts::find(const LiveMaps& live, const SurfacePrediction& model, co
     const LaunchSize size = eight_pixels_each(shape_);
     association_.associate(live, model, no_fallback_m_, T_p_c, codes_);
     const Before& before = before_[next_before_];
+    const RigidTransform T_b_c = before.T_g_b.inverse() * T_g_c;
     const SensorNoise& noise = config_.association.noise;
     mark_moving_.launch(size, codes_, live.filtered_m, seen_free_, before.nearest_m, candidates_, shape_,
-                        intrinsics_, to_pose(T_g_c), to_pose(before.T_g_b.inverse() * T_g_c), cell_m_,
-                        config_.cells_per_side, config_.enough_frames, config_.into_unknown ? 1 : 0, noise);
+                        intrinsics_, to_pose(T_g_c), to_pose(T_b_c), cell_m_, config_.cells_per_side,
+                        config_.enough_frames, config_.into_unknown ? 1 : 0, noise);
     keep_supported_seeds_.launch(size, candidates_, none_expected_, members_, shape_);
+    if (turns_fast(T_b_c)) members_.fill(MEMBER_NONE);
     const float share = select_components(components_.find(members_, live.filtered_m));
     hold_moving_.launch(size, labels_, members_, codes_, live.filtered_m, last_m_, last_held_, held_, parts_,
                         shape_, intrinsics_, to_pose(T_p_c), config_.hold_frames, noise);
     widen_rows_.launch(size, parts_, wide_, shape_, config_.widen_px);
     widen_columns_.launch(size, wide_, mask_, shape_, config_.widen_px);
     return share;
+}
+
+bool MovingParts::turns_fast(const RigidTransform& T_b_c) const {
+    const float turn_rad = Eigen::AngleAxisf(T_b_c.linear()).angle();
+    return !config_.into_unknown && turn_rad > config_.max_turn_deg * std::numbers::pi_v<float> / 180.0f;
 }
 
 float MovingParts::select_components(const std::vector<Component>& found) {

@@ -23,6 +23,9 @@ struct MovingPartsConfig {
     /// Where nothing is known and something comes, all that is connected to it comes: a hand at an object.
     /// Else only what is before the model or in free space: a room shows new walls all the time.
     bool into_unknown = false;
+    /// Of a camera since the picture three frames ago: one that turns faster shears what it reads row by row,
+    /// and edges of still things then look as if they had moved. Not for objects, which are turned.
+    float max_turn_deg = 3.0f;
     int hold_frames = 150;  ///< that something which came is left out when it rests, at most 255
     int widen_px = 8;       ///< of the mask, at most 8
 };
@@ -57,6 +60,7 @@ class MovingParts {
         RigidTransform T_g_b = RigidTransform::Identity();
     };
 
+    bool turns_fast(const RigidTransform& T_b_c) const;
     float select_components(const std::vector<Component>& found);
     void remember_free_space(const LiveMaps& live, const RigidTransform& T_g_c);
 
