@@ -60,8 +60,10 @@ void add_object_keys(KeyList& keys, Config& config) {
 void add_foreground_keys(KeyList& keys, Config& config) {
     ForegroundModelConfig& foreground = config.interaction.foreground;
     keys.section("foreground");
-    keys.add("reconstruct", foreground.reconstruct,
-             "what moves gets a model of its own, else it is shown as measured");
+    keys.add(
+        "reconstruct", foreground.reconstruct,
+        "what moves gets a model of its own, else it is shown as measured: on, off, or auto, which is on "
+        "with a GPU");
     keys.add("most_volumes", foreground.most_volumes, 1, 8, "things that have one at a time");
     keys.section("rendering");
     keys.add("view", config.interaction.rendering.view, "of the table: shaded, or normals as colours");

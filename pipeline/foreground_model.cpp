@@ -4,6 +4,7 @@
 #include <array>
 
 #include "pipeline/kernel_program.hpp"
+#include "platform/system/error.hpp"
 
 namespace touchstone {
 
@@ -14,6 +15,13 @@ constexpr int prune_every_frames = 8;
 constexpr int region_margin_px = 16;
 
 }  // namespace
+
+bool reconstructs_foreground(const ForegroundModelConfig& config, const Device& device) {
+    if (config.reconstruct == "on") return true;
+    if (config.reconstruct == "off") return false;
+    if (config.reconstruct == "auto") return !device.is_cpu();
+    throw Error(ExitStatus::configuration, "foreground.reconstruct is auto, on or off");
+}
 
 ForegroundModel::ForegroundModel(const Device& device, const ForegroundModelConfig& config,
                                  const Intrinsics& intrinsics)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pipeline/camera_tracking.hpp"
@@ -11,7 +12,8 @@
 namespace touchstone {
 
 struct ForegroundModelConfig {
-    bool reconstruct = true;
+    /// "on", "off", or "auto": on where the device is no CPU, for which it takes too much of a frame yet.
+    std::string reconstruct = "auto";
     int most_volumes = 3;      ///< more components are shown as they are measured
     int min_pixels = 500;      ///< smaller components, too
     int missing_frames = 5;    ///< a volume outlives its component by this
@@ -23,6 +25,9 @@ struct ForegroundModelConfig {
     CameraTrackingConfig tracking{.levels = {TrackingLevel{3, 0.02f, 4.0f}, TrackingLevel{4, 0.04f, 8.0f},
                                              TrackingLevel{5, 0.10f, 30.0f}}};
 };
+
+/// Whether the configuration asks for it on this device. Throws Error{configuration} for another word.
+bool reconstructs_foreground(const ForegroundModelConfig& config, const Device& device);
 
 /// Fig 14e, 15, 16: each large component of the foreground has a small volume that moves with it.
 class ForegroundModel {

@@ -67,7 +67,8 @@ InteractionPipeline::InteractionPipeline(const Device& device, const Interaction
       realignment_(device, config_.realignment, intrinsics),
       start_alignment_(device, at_start(config_), intrinsics) {
     no_foreground_.fill(0);
-    if (config_.foreground.reconstruct) foreground_model_.emplace(device, config_.foreground, intrinsics);
+    if (reconstructs_foreground(config_.foreground, device))
+        foreground_model_.emplace(device, config_.foreground, intrinsics);
 }
 
 void InteractionPipeline::use_scan(const SavedScan& scan) {

@@ -12,6 +12,12 @@ namespace touchstone {
 
 namespace {
 
+InteractionConfig with_foreground_model() {
+    InteractionConfig config;
+    config.foreground.reconstruct = "on";
+    return config;
+}
+
 constexpr float moving_m = 0.003f;
 
 std::vector<float> without_padding(const Buffer<float>& map, const MapShape& shape) {
@@ -42,7 +48,7 @@ class Run {
           k_(source_.info().intrinsics),
           shape_(make_map_shape(k_)),
           truth_(config_),
-          pipeline_(device_, {}, k_) {
+          pipeline_(device_, with_foreground_model(), k_) {
         moments_.push_front(truth_.at(0));
     }
 

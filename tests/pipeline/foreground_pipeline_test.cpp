@@ -3,6 +3,7 @@
 
 #include "pipeline/interaction_pipeline.hpp"
 #include "platform/openni2_drivers/simulator/simulator_source.hpp"
+#include "platform/system/error.hpp"
 
 namespace touchstone {
 namespace {
@@ -19,7 +20,7 @@ Outcome run(const Device& device, bool reconstruct) {
     InteractionConfig config;
     config.scan_frames = 10;
     config.background.volume.size_vox = 256;
-    config.foreground.reconstruct = reconstruct;
+    config.foreground.reconstruct = reconstruct ? "on" : "off";
     const auto source = open_simulator("flat?seed=2&hands=1&empty=0.4");
     InteractionPipeline pipeline(device, config, source->info().intrinsics);
     Outcome outcome;
@@ -54,6 +55,19 @@ TEST(ForegroundInThePipeline, TheBackgroundIsTheSameToTheBitWithAndWithout) {
         EXPECT_EQ(with.frames[i].touches.size(), without.frames[i].touches.size());
         EXPECT_EQ(with.frames[i].hovers.size(), without.frames[i].hovers.size());
     }
+}
+
+TEST(ForegroundInThePipeline, IsOnByWordAndByDevice) {
+    const Device device(DeviceConfig{});
+    ForegroundModelConfig config;
+    config.reconstruct = "on";
+    EXPECT_TRUE(reconstructs_foreground(config, device));
+    config.reconstruct = "off";
+    EXPECT_FALSE(reconstructs_foreground(config, device));
+    config.reconstruct = "auto";
+    EXPECT_EQ(reconstructs_foreground(config, device), !device.is_cpu());
+    config.reconstruct = "sometimes";
+    EXPECT_THROW(reconstructs_foreground(config, device), Error);
 }
 
 }  // namespace
