@@ -19,16 +19,22 @@ bool is_member(const DepthPatch& mean, int frames, std::size_t i) {
     return mean.samples[i] > 0 && 2 * mean.samples[i] >= std::min(frames, 255);
 }
 
+/// By a finger of another component: one that seems to be its own is a corner of it. A hand that is connected
+/// to it makes it reach the picture's border, or move.
 bool touched(const ForegroundComponent& component, const ObjectFrame& frame) {
     constexpr int reach_px = 6;
     return std::ranges::any_of(frame.touches_px, [&](const Eigen::Vector2f& tip) {
         const int u = static_cast<int>(tip.x()), v = static_cast<int>(tip.y());
+        bool own = false, others = false;
         for (int y = std::max(0, v - reach_px); y <= std::min(v + reach_px, frame.shape.height_px - 1); ++y) {
             for (int x = std::max(0, u - reach_px); x <= std::min(u + reach_px, frame.shape.width_px - 1);
-                 ++x)
-                if (frame.labels[map_index(frame.shape, x, y)] == component.label) return true;
+                 ++x) {
+                const int label = frame.labels[map_index(frame.shape, x, y)];
+                own |= label == component.label;
+                others |= label >= 0 && label != component.label;
+            }
         }
-        return false;
+        return own && others;
     });
 }
 

@@ -76,11 +76,21 @@ TEST(ObjectSegmentation, WhatIsTouchedOrMovesIsNoObject) {
     TouchEvent touch;
     touch.phase = TouchPhase::move;
     touch.tip.pixel_px = {90.0f, 80.0f};
-    EXPECT_EQ(scene.show_for(40, {box}, {touch}).settled, 0);
+    const Slab finger{86, 70, 94, 90, 0.86f};
+    EXPECT_EQ(scene.show_for(40, {box, finger}, {touch}).settled, 0);
     for (int step = 0; step < 40; ++step) {
         const Slab moving{40 + step, 60, 70 + step, 90, 0.93f};
         EXPECT_EQ(scene.show({moving}).settled, 0) << step;
     }
+}
+
+TEST(ObjectSegmentation, ItsOwnCornerIsNoFinger) {
+    ObjectScene scene;
+    scene.scan({});
+    TouchEvent corner;
+    corner.phase = TouchPhase::move;
+    corner.tip.pixel_px = {90.0f, 80.0f};
+    EXPECT_EQ(scene.show_for(40, {box}, {corner}).settled, 1);
 }
 
 TEST(ObjectSegmentation, AnObjectOnAnotherAndItsWayBack) {
