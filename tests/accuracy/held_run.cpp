@@ -13,6 +13,7 @@
 #include "platform/system/percentile.hpp"
 #include "tests/accuracy/path_score.hpp"
 #include "tests/accuracy/surface_score.hpp"
+#include "tests/accuracy/true_surface.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace touchstone {
@@ -29,15 +30,6 @@ SimulatorConfig simulation(const HeldRun& run) {
     config.seed = static_cast<std::uint64_t>(run.seed);
     config.mesh_path = run.mesh.string();
     return config;
-}
-
-SurfaceMesh surface_of(const sim::TriangleMesh& mesh) {
-    SurfaceMesh surface;
-    for (const auto& v : mesh.vertices) surface.vertices_g_m.emplace_back(v);
-    for (const auto& t : mesh.triangles)
-        surface.triangles.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
-                                     static_cast<std::uint32_t>(t[2])});
-    return surface;
 }
 
 /// The live loop before a wall: conversion, drift, mask, the object.

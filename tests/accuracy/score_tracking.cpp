@@ -11,6 +11,7 @@
 #include "tests/accuracy/mesh_input.hpp"
 #include "tests/accuracy/path_score.hpp"
 #include "tests/accuracy/surface_score.hpp"
+#include "tests/accuracy/true_surface.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace touchstone {
@@ -59,15 +60,6 @@ std::vector<Case> all_cases(int seed, int frames) {
             {"bowl", "", object(""), "--side 0.32 --voxels 256", true, true},
             {"bunny", "", object(meshes + "stanford-bunny.obj"), "--side 0.32 --voxels 256", true, true},
             {"spot", "", object(meshes + "spot.obj"), "--side 0.32 --voxels 256", true, true}};
-}
-
-SurfaceMesh surface_of(const sim::TriangleMesh& mesh) {
-    SurfaceMesh surface;
-    for (const auto& v : mesh.vertices) surface.vertices_g_m.emplace_back(v);
-    for (const auto& t : mesh.triangles)
-        surface.triangles.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
-                                     static_cast<std::uint32_t>(t[2])});
-    return surface;
 }
 
 /// What `track` made of one source.
