@@ -13,6 +13,18 @@ __kernel void pick_component(__global const int* labels, __global const uchar* s
     vstore8(~is_own, 0, others + at);
 }
 
+/* Takes back what pick_component gave. */
+__kernel void drop_component(__global uchar* own, __global uchar* with_free, __global uchar* others, const MapShape shape) {
+    const int at = (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8;
+    vstore8((uchar8)(0), 0, own + at);
+    vstore8((uchar8)(0), 0, with_free + at);
+    vstore8((uchar8)(255), 0, others + at);
+}
+
+__kernel void no_prediction(__global float* depth_m, const MapShape shape) {
+    vstore8((float8)(0.0f), 0, depth_m + (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8);
+}
+
 /* The live surface on the mask, nothing elsewhere. */
 __kernel void take_live(__global const uchar* mask, __global const float* live_m, __global const float* live_normals_c,
                         __global float* depth_m, __global float* normals_c, __global uchar* source, const MapShape shape) {
@@ -35,12 +47,12 @@ inline int8 is_beside8(__global const int* labels, const MapShape shape, const i
 }
 
 /* A volume's prediction where its component is and the live depth does not contradict it (within gate_sigmas), and where
- * nothing was measured beside the component. Columns from 8 first_x on. */
+ * nothing was measured beside the component. Eight pixels a work-item. */
 __kernel void take_prediction(__global const int* labels, __global const float* live_m, __global const float* model_m,
                               __global const float* model_normals_c, __global float* depth_m, __global float* normals_c,
                               __global uchar* source, const MapShape shape, const SensorNoise noise, const float gate_sigmas,
-                              const int label, const int first_x, const int first_y) {
-    const int x = ((int)get_global_id(0) + first_x) * 8, y = (int)get_global_id(1) + first_y;
+                              const int label) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
     const int at = y * shape.pitch_px + x, plane = shape.pitch_px * shape.rows_px;
     const float8 model = vload8(0, model_m + at), live = vload8(0, live_m + at);
     const int8 component = vload8(0, labels + at), predicted = model > 0.0f;

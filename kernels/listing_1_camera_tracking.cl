@@ -63,16 +63,16 @@ inline Points8 from_centre8(const Points8 v, const float4 centre) {
     return p;
 }
 
-/* One row of pixels a work-item; global size (rows of the live map). Live: depths and normals in the camera frame c. */
+/* One row of pixels a work-item, columns first_x to end_x (multiples of 8) of it; the global id is the row. Live: depths and normals in the camera frame c. */
 __kernel void sum_alignment(__global const float* live_m, __global const float* live_normals_c,
                             __global const float* model_m, __global const float* model_normals_p, __global float* sums, const MapShape live_shape,
                             const Intrinsics live_k, const MapShape model_shape, const Intrinsics model_k, const Pose T_p_c,
-                            const AlignmentParams params) {
+                            const AlignmentParams params, const int first_x, const int end_x) {
     const int y = (int)get_global_id(0);
     const int live_plane = live_shape.pitch_px * live_shape.rows_px, model_plane = model_shape.pitch_px * model_shape.rows_px;
     float8 total[ALIGNMENT_SUMS];
     for (int i = 0; i < ALIGNMENT_SUMS; ++i) total[i] = (float8)(0.0f);
-    for (int x = 0; x < live_shape.width_px; x += 8) {
+    for (int x = first_x; x < end_x; x += 8) {
         const int at = y * live_shape.pitch_px + x;
         const float8 live = vload8(0, live_m + at);
         const int8 measured = live > 0.0f;
@@ -146,12 +146,12 @@ __kernel void sum_intensity(__global const float* live_m, __global const float* 
                             __global const float* model_m, __global const float* model_intensity,
                             __global float* sums, const MapShape live_shape, const Intrinsics live_k,
                             const MapShape model_shape, const Intrinsics model_k, const Pose T_p_c,
-                            const AlignmentParams params, const int level) {
+                            const AlignmentParams params, const int level, const int first_x, const int end_x) {
     const int y = (int)get_global_id(0);
     const float scale = 1.0f / (float)(1 << level);
     float8 total[ALIGNMENT_SUMS];
     for (int i = 0; i < ALIGNMENT_SUMS; ++i) total[i] = (float8)(0.0f);
-    for (int x = 0; x < live_shape.width_px; x += 8) {
+    for (int x = first_x; x < end_x; x += 8) {
         const int at = y * live_shape.pitch_px + x;
         const float8 live = vload8(0, live_m + at);
         const int8 measured = live > 0.0f;

@@ -102,9 +102,19 @@ __kernel void integrate_moving(__global const int* brick_of_slot, __global int* 
     __global int* voxels = pool + slot * BRICK_VOXELS + row * BRICK_VOX;
     const int8 old = vload8(0, voxels), stored_weight = voxel_weight8(old);
     const Sight8 sight = see_voxels8(depth_m, brick_of_slot[slot], row, volume, k, shape, T_c_g);
-    const float8 measured_m = measure_between8(depth_m, sight, k, shape);
-    const float8 sdf_m = sight.lambda * (measured_m - sight.v_c.z);
     const int8 pixel_weight = convert_int8(gather_uchar8(sample_weights, sight.pixel));
+    // A depth between four pixels differs from the nearest pixel's by less than slack_m along the ray.
+    const float8 slack_m = sight.lambda * (ONE_SURFACE_PER_M * sight.measured_m);
+    const float8 nearest_sdf_m = sight.lambda * (sight.measured_m - sight.v_c.z);
+    const int8 reached = (sight.pixel >= 0) & (sight.measured_m > 0.0f) & (pixel_weight > 0) &
+                         (nearest_sdf_m > -volume.min_truncation_m - slack_m);
+    if (!any(reached)) {
+        if (any((stored_weight > 0) & (voxel_tsdf8(old) <= 0.0f))) has_inside[slot] = 1;
+        return;
+    }
+    const bool is_near = any(reached & (nearest_sdf_m < volume.max_truncation_m + slack_m));
+    const float8 measured_m = is_near ? measure_between8(depth_m, sight, k, shape) : sight.measured_m;
+    const float8 sdf_m = sight.lambda * (measured_m - sight.v_c.z);
     const int8 is_free = sdf_m >= volume.max_truncation_m;
     const int8 used = (sight.pixel >= 0) & (measured_m > 0.0f) & (pixel_weight > 0) &
                       (sdf_m > -volume.min_truncation_m) & (is_free | (pixel_weight != SAMPLE_FREE_ONLY));

@@ -36,13 +36,14 @@ float sigma_z_m(const SensorNoise& noise, float z_m) {
     return noise.constant_m + noise.quadratic * from_offset * from_offset;
 }
 
-/// Middle and spread of what a depth map shows.
-ViewExtent measure_extent(const Buffer<float>& depth_m, const Intrinsics& k, const MapShape& shape) {
+/// Middle and spread of what a region of a depth map shows.
+ViewExtent measure_extent(const Buffer<float>& depth_m, const Intrinsics& k, const MapShape& shape,
+                          const PixelRegion& region) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double squares = 0.0, count = 0.0;
     const auto map = depth_m.map_read();
-    for (int y = 0; y < k.height_px; ++y) {
-        for (int x = 0; x < k.width_px; ++x) {
+    for (int y = region.y0; y < std::min(region.y1, k.height_px); ++y) {
+        for (int x = region.x0; x < std::min(region.x1, k.width_px); ++x) {
             const float z = map[map_index(shape, x, y)];
             if (z <= 0.0f) continue;
             const Eigen::Vector3d v = Eigen::Vector3f((static_cast<float>(x) - k.cx_px) / k.fx_px * z,
@@ -120,24 +121,32 @@ CameraTracking::CameraTracking(const Device& device, const CameraTrackingConfig&
     }
 }
 
-void CameraTracking::prepare(const LiveMaps& live, const Buffer<std::uint8_t>* excluded) {
+void CameraTracking::prepare(const LiveMaps& live, const LivePixels& pixels) {
+    PixelRegion region = pixels.region;
+    if (region.empty()) region = {0, 0, live.shape.width_px, live.shape.height_px};
+    region = whole_blocks(region, TILE_PX << (levels - 1), live.shape.pitch_px, live.shape.rows_px);
+    levels_[0].region = region;
     finest_depth_m_ = &live.filtered_m;
     finest_normals_c_ = &live.normals_c;
-    if (excluded != nullptr) {
-        leave_out_.launch(eight_pixels_each(live.shape), live.filtered_m, *excluded, levels_[0].depth_m,
-                          live.shape);
+    if (pixels.excluded != nullptr) {
+        leave_out_.launch(eight_pixels_each(live.shape, region), live.filtered_m, *pixels.excluded,
+                          levels_[0].depth_m, live.shape);
         finest_depth_m_ = &levels_[0].depth_m;
     }
     const Buffer<float>* source = finest_depth_m_;
     for (std::size_t i = 1; i < levels; ++i) {
         Level& level = levels_[i];
-        half_sample_.launch(eight_pixels_each(level.shape), *source, level.depth_m, levels_[i - 1].shape,
-                            level.shape, config_.half_sample_gap_per_m);
-        normal_map_.launch(eight_pixels_each(level.shape), level.depth_m, level.normals_c, level.shape,
-                           level.intrinsics, config_.normal_gap_per_m);
+        region = {region.x0 / 2, region.y0 / 2, (region.x1 + 1) / 2, (region.y1 + 1) / 2};
+        level.region = whole_blocks(region, TILE_PX, level.shape.pitch_px, level.shape.rows_px);
+        const LaunchSize size = eight_pixels_each(level.shape, level.region);
+        half_sample_.launch(size, *source, level.depth_m, levels_[i - 1].shape, level.shape,
+                            config_.half_sample_gap_per_m);
+        normal_map_.launch(size, level.depth_m, level.normals_c, level.shape, level.intrinsics,
+                           config_.normal_gap_per_m);
         source = &level.depth_m;
     }
-    extent_ = measure_extent(levels_.back().depth_m, levels_.back().intrinsics, levels_.back().shape);
+    const Level& coarsest = levels_.back();
+    extent_ = measure_extent(coarsest.depth_m, coarsest.intrinsics, coarsest.shape, coarsest.region);
 }
 
 AlignmentParams CameraTracking::params(int level) const {
@@ -170,13 +179,22 @@ const Buffer<float>& CameraTracking::depth_m(int level) const {
     return level == 0 ? *finest_depth_m_ : levels_[static_cast<std::size_t>(level)].depth_m;
 }
 
-AlignmentSums CameraTracking::read_sums(std::size_t rows) const {
+LaunchSize CameraTracking::one_row_each(int level) const {
+    const Level& at = levels_[static_cast<std::size_t>(level)];
+    const int rows = std::min(at.region.y1, at.shape.height_px) - at.region.y0;
+    return {
+        {static_cast<std::size_t>(rows), 1, 1}, {1, 1, 1}, {static_cast<std::size_t>(at.region.y0), 0, 0}};
+}
+
+AlignmentSums CameraTracking::read_sums(int level) const {
     AlignmentSums sums;
-    const auto mapped = sums_.map_read(rows * ALIGNMENT_SUMS);
+    const LaunchSize size = one_row_each(level);
+    const std::size_t rows = size.global[0], first = size.first[0];
+    const auto mapped = sums_.map_read((first + rows) * ALIGNMENT_SUMS);
     sums.b_of_strips.assign(strips, Vector6d::Zero());
     for (std::size_t row = 0; row < rows; ++row) {
         const Vector6d before = sums.b;
-        add(mapped.values().subspan(row * ALIGNMENT_SUMS, ALIGNMENT_SUMS), sums);
+        add(mapped.values().subspan((first + row) * ALIGNMENT_SUMS, ALIGNMENT_SUMS), sums);
         sums.b_of_strips[row * strips / rows] += sums.b - before;
     }
     sums.A.triangularView<Eigen::StrictlyLower>() = sums.A.transpose();
@@ -185,23 +203,20 @@ AlignmentSums CameraTracking::read_sums(std::size_t rows) const {
 
 AlignmentSums CameraTracking::sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level) {
     const Level& at = levels_[static_cast<std::size_t>(level)];
-    const auto rows = static_cast<std::size_t>(at.shape.height_px);
-    sum_alignment_.launch({{rows, 1, 1}, {1, 1, 1}}, depth_m(level),
-                          level == 0 ? *finest_normals_c_ : at.normals_c, model.depth_m, model.normals_c,
-                          sums_, at.shape, at.intrinsics, model.shape, intrinsics_, to_pose(T_p_c),
-                          params(level));
-    return read_sums(rows);
+    sum_alignment_.launch(one_row_each(level), depth_m(level), level == 0 ? *finest_normals_c_ : at.normals_c,
+                          model.depth_m, model.normals_c, sums_, at.shape, at.intrinsics, model.shape,
+                          intrinsics_, to_pose(T_p_c), params(level), at.region.x0, at.region.x1);
+    return read_sums(level);
 }
 
 AlignmentSums CameraTracking::sum_intensity(const SurfacePrediction& model, const IntensityPair& intensity,
                                             const RigidTransform& T_p_c, int level) {
     const auto index = static_cast<std::size_t>(level);
     const Level& at = levels_[index];
-    const auto rows = static_cast<std::size_t>(at.shape.height_px);
-    sum_intensity_.launch({{rows, 1, 1}, {1, 1, 1}}, depth_m(level), intensity.live.levels[index],
-                          model.depth_m, intensity.model.levels[index], sums_, at.shape, at.intrinsics,
-                          model.shape, intrinsics_, to_pose(T_p_c), params(level), level);
-    return read_sums(rows);
+    sum_intensity_.launch(one_row_each(level), depth_m(level), intensity.live.levels[index], model.depth_m,
+                          intensity.model.levels[index], sums_, at.shape, at.intrinsics, model.shape,
+                          intrinsics_, to_pose(T_p_c), params(level), level, at.region.x0, at.region.x1);
+    return read_sums(level);
 }
 
 RigidTransform CameraTracking::best_guess(const SurfacePrediction& model,
@@ -240,11 +255,11 @@ void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair*
 
 TrackingResult CameraTracking::track(const LiveMaps& live, const SurfacePrediction& model,
                                      std::span<const RigidTransform> guesses, const IntensityPair* intensity,
-                                     const Buffer<std::uint8_t>* excluded, int model_frames) {
+                                     const LivePixels& pixels, int model_frames) {
     TrackingResult result;
     min_eigenvalue_ = std::max(config_.min_eigenvalue,
                                config_.young_min_eigenvalue / static_cast<float>(std::max(model_frames, 1)));
-    prepare(live, excluded);
+    prepare(live, pixels);
     const RigidTransform start = best_guess(model, guesses);
     result.T_p_c = start;
     for (int level = static_cast<int>(levels) - 1; level >= 0; --level)

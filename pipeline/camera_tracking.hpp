@@ -71,6 +71,12 @@ struct IntensityPair {
     const IntensityMaps& model;  ///< of the camera that the prediction is of
 };
 
+/// Which live pixels are aligned.
+struct LivePixels {
+    const Buffer<std::uint8_t>* excluded = nullptr;  ///< those that are not 0 are left out; null: none
+    PixelRegion region{};                            ///< the others are left out; empty: no others
+};
+
 /// Where the points of a view are: twists turn about their middle, and rotations are counted as the movement
 /// of a point at their spread (root mean square distance from it).
 struct ViewExtent {
@@ -85,17 +91,16 @@ class CameraTracking {
 
     /// `guesses` are poses of the live camera in the prediction's camera frame p; the one that fits best at
     /// the coarsest level is refined, the first where none is clearly better. `intensity`: null, or what both
-    /// cameras saw. `excluded`: null, or a map whose pixels that are not 0 are left out. `model_frames`:
-    /// fused so far.
+    /// cameras saw. `model_frames`: fused so far.
     TrackingResult track(const LiveMaps& live, const SurfacePrediction& model,
                          std::span<const RigidTransform> guesses, const IntensityPair* intensity = nullptr,
-                         const Buffer<std::uint8_t>* excluded = nullptr, int model_frames = 1000);
+                         const LivePixels& pixels = {}, int model_frames = 1000);
 
     /// Brightness of width x height pixels, 3 bytes each.
     void convert(std::span<const std::uint8_t> rgb, IntensityMaps& maps);
 
     /// Makes the levels that sum() reads; track() does it itself.
-    void prepare(const LiveMaps& live, const Buffer<std::uint8_t>* excluded = nullptr);
+    void prepare(const LiveMaps& live, const LivePixels& pixels = {});
     /// The sums of one evaluation at a level, 0 = finest, of the frame last prepared.
     AlignmentSums sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level);
     /// The same of brightness.
@@ -106,6 +111,7 @@ class CameraTracking {
     struct Level {
         Intrinsics intrinsics{};
         MapShape shape{};
+        PixelRegion region{};              // whole tiles
         Buffer<float> depth_m, normals_c;  // at level 0 only where pixels are left out
     };
 
@@ -113,7 +119,8 @@ class CameraTracking {
     void refine(const SurfacePrediction& model, const IntensityPair* intensity, int level,
                 TrackingResult& result);
     const Buffer<float>& depth_m(int level) const;
-    AlignmentSums read_sums(std::size_t rows) const;
+    LaunchSize one_row_each(int level) const;
+    AlignmentSums read_sums(int level) const;
     AlignmentParams params(int level) const;
 
     CameraTrackingConfig config_;

@@ -52,7 +52,7 @@ void CameraWatch::restart() {
 
 void CameraWatch::look(const LiveMaps& live, const SurfacePrediction& background,
                        const Buffer<std::uint8_t>& foreground) {
-    fitting_.prepare(live, &foreground);
+    fitting_.prepare(live, {&foreground});
     const AlignmentSums sums = fitting_.sum(background, RigidTransform::Identity(), coarsest);
     look_.fit = static_cast<float>(share(sums.pairs, sums.compared));
     usual_seen_ = std::max(sums.compared, usual_seen_);

@@ -14,6 +14,24 @@ constexpr int point_step_px = 4;
 constexpr int prune_every_frames = 8;
 constexpr int region_margin_px = 16;
 
+/// Tiles that hold points, and those around them, row by row.
+std::vector<int> tiles_around(const ComponentPoints& points, const MapShape& shape) {
+    const int columns = tiles_per_row(shape), rows = shape.rows_px / TILE_PX;
+    std::vector<char> flags(static_cast<std::size_t>(columns * rows), 0);
+    for (const std::size_t pixel : points.map_index) {
+        const int x = static_cast<int>(pixel) % shape.pitch_px / TILE_PX;
+        const int y = static_cast<int>(pixel) / shape.pitch_px / TILE_PX;
+        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, rows - 1); ++j) {
+            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, columns - 1); ++i)
+                flags[static_cast<std::size_t>(j * columns + i)] = 1;
+        }
+    }
+    std::vector<int> tiles;
+    for (std::size_t i = 0; i < flags.size(); ++i)
+        if (flags[i] != 0) tiles.push_back(static_cast<int>(i));
+    return tiles;
+}
+
 }  // namespace
 
 bool reconstructs_foreground(const ForegroundModelConfig& config, const Device& device) {
@@ -35,6 +53,8 @@ ForegroundModel::ForegroundModel(const Device& device, const ForegroundModelConf
       raycasting_(device, intrinsics),
       program_(load_kernel_program(device, "foreground_model.cl")),
       pick_component_(program_.kernel("pick_component")),
+      drop_component_(program_.kernel("drop_component")),
+      no_prediction_(program_.kernel("no_prediction")),
       take_live_(program_.kernel("take_live")),
       take_prediction_(program_.kernel("take_prediction")),
       own_weights_(device, map_pixels(shape_)),
@@ -42,6 +62,9 @@ ForegroundModel::ForegroundModel(const Device& device, const ForegroundModelConf
       others_(device, map_pixels(shape_)),
       source_(device, map_pixels(shape_)),
       surface_(device, shape_) {
+    own_weights_.fill(0);
+    weights_with_free_.fill(0);
+    others_.fill(255);
     forget();
 }
 
@@ -58,7 +81,7 @@ const SurfacePrediction& ForegroundModel::update(const LiveMaps& live, const For
     assign(parts, component_of);
     take_live_.launch(eight_pixels_each(shape_), foreground.mask, live.filtered_m, live.normals_c,
                       surface_.depth_m, surface_.normals_c, source_, shape_);
-    if (!parts.empty()) sample_weights_ = &weighting_.weigh(live);
+    for (const Part& part : parts) sample_weights_ = &weighting_.weigh(live, part.points.region);
     for (std::size_t i = 0; i < volumes_.size(); ++i) {
         if (component_of[i] < 0) continue;
         const Part& part = parts[static_cast<std::size_t>(component_of[i])];
@@ -108,27 +131,31 @@ void ForegroundModel::assign(std::span<const Part> parts, std::vector<int>& comp
 
 void ForegroundModel::follow(MovingVolume& volume, const Part& part, const LiveMaps& live,
                              const Foreground& foreground) {
-    pick_component_.launch(eight_pixels_each(shape_), foreground.labels, *sample_weights_, own_weights_,
-                           weights_with_free_, others_, shape_, part.component.label);
+    const PixelRegion now = grown(part.points.region, region_margin_px, shape_.width_px, shape_.height_px);
+    const PixelRegion region = volume.region.empty() ? now : hull(now, volume.region);
+    const LaunchSize size = eight_pixels_each(shape_, region);
+    pick_component_.launch(size, foreground.labels, *sample_weights_, own_weights_, weights_with_free_,
+                           others_, shape_, part.component.label);
     if (volume.frames > 0) track(volume, part, live);
     volume.last_centre_c_m = part.points.centre_c_m;
     volume.follow(part.points);
     integration_.integrate_moving(volume.volume(), live.depth_m, own_weights_, weights_with_free_,
                                   volume.T_g_c(), volume.layers(part.points), config_.adaptive);
+    drop_component_.launch(size, own_weights_, weights_with_free_, others_, shape_);
     ++volume.frames;
     if (volume.frames % prune_every_frames == 0) volume.prune();
-    volume.prediction.depth_m.fill(0.0f);
-    raycasting_.raycast(volume.volume(), volume.T_g_c(),
-                        grown(part.points.region, region_margin_px, shape_.width_px, shape_.height_px),
-                        volume.prediction);
+    no_prediction_.launch(size, volume.prediction.depth_m, shape_);
+    raycasting_.raycast_tiles(volume.volume(), volume.T_g_c(), tiles_around(part.points, shape_),
+                              volume.prediction);
+    volume.region = now;
 }
 
 void ForegroundModel::track(MovingVolume& volume, const Part& part, const LiveMaps& live) {
     RigidTransform shifted = RigidTransform::Identity();
     shifted.translation() = volume.last_centre_c_m - part.points.centre_c_m;
     const std::array guesses{RigidTransform::Identity(), volume.last_step_T_p_c, shifted};
-    TrackingResult result =
-        tracking_.track(live, volume.prediction, guesses, nullptr, &others_, volume.frames);
+    TrackingResult result = tracking_.track(live, volume.prediction, guesses, nullptr,
+                                            {&others_, part.points.region}, volume.frames);
     judge_step(config_.tracking, result.T_p_c, result);
     if (result.state == TrackingState::lost)
         volume.clear();
@@ -138,15 +165,10 @@ void ForegroundModel::track(MovingVolume& volume, const Part& part, const LiveMa
 
 void ForegroundModel::take_prediction(const MovingVolume& volume, const Part& part, const LiveMaps& live,
                                       const Foreground& foreground) {
-    const PixelRegion region = grown(part.points.region, region_margin_px, shape_.width_px, shape_.height_px);
-    const int first = region.x0 / 8, last = (region.x1 - 1) / 8;
-    const LaunchSize size{
-        {static_cast<std::size_t>(last - first + 1), static_cast<std::size_t>(region.height_px()), 1},
-        {1, 1, 1}};
-    take_prediction_.launch(size, foreground.labels, live.filtered_m, volume.prediction.depth_m,
-                            volume.prediction.normals_c, surface_.depth_m, surface_.normals_c, source_,
-                            shape_, config_.weights.noise, config_.gate_sigmas, part.component.label, first,
-                            region.y0);
+    take_prediction_.launch(eight_pixels_each(shape_, volume.region), foreground.labels, live.filtered_m,
+                            volume.prediction.depth_m, volume.prediction.normals_c, surface_.depth_m,
+                            surface_.normals_c, source_, shape_, config_.weights.noise, config_.gate_sigmas,
+                            part.component.label);
 }
 
 }  // namespace touchstone

@@ -68,8 +68,10 @@ class ForegroundModel {
     VolumetricIntegration integration_;
     Raycasting raycasting_;
     Program program_;
-    Kernel pick_component_, take_live_, take_prediction_;
-    Buffer<std::uint8_t> own_weights_, weights_with_free_, others_, source_;
+    Kernel pick_component_, drop_component_, no_prediction_, take_live_, take_prediction_;
+    Buffer<std::uint8_t> own_weights_, weights_with_free_,
+        others_;  ///< 0, 0 and 255 but while a volume follows
+    Buffer<std::uint8_t> source_;
     SurfacePrediction surface_;
     std::vector<MovingVolume> volumes_;
     const Buffer<std::uint8_t>* sample_weights_ = nullptr;  ///< of this frame

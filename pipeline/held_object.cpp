@@ -138,7 +138,7 @@ HeldObject::Pose HeldObject::align(CameraTracking& tracking, const LiveMaps& liv
                                    std::span<const RigidTransform> guesses) {
     leave_out_others(live, mask, T_o_p);
     Pose pose;
-    pose.tracking = tracking.track(live, prediction_, guesses, nullptr, &excluded_);
+    pose.tracking = tracking.track(live, prediction_, guesses, nullptr, {&excluded_});
     pose.T_o_c = orthonormal(T_o_p * pose.tracking.T_p_c);
     predict(pose.T_o_c);
     const auto depth_m = live.filtered_m.map_read();

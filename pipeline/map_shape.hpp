@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "kernels/shared_types.h"
+#include "pipeline/pixel_region.hpp"
 #include "platform/opencl/program.hpp"
 
 namespace touchstone {
@@ -21,5 +22,7 @@ inline std::size_t map_index(const MapShape& shape, int x, int y) {
 
 /// One work-item for eight pixels along x, over the whole map.
 LaunchSize eight_pixels_each(const MapShape& shape);
+/// The same over the tiles that hold pixels of the region.
+LaunchSize eight_pixels_each(const MapShape& shape, const PixelRegion& region);
 
 }  // namespace touchstone

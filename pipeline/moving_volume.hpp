@@ -42,6 +42,7 @@ class MovingVolume {
     BrickLayers layers(const ComponentPoints& points) const;
 
     SurfacePrediction prediction;  ///< from the camera of the last frame
+    PixelRegion region{};          ///< of it; nothing is predicted elsewhere
     RigidTransform last_step_T_p_c = RigidTransform::Identity();
     Eigen::Vector3f last_centre_c_m = Eigen::Vector3f::Zero();
     int frames = 0;          ///< fused since it was made or cleared

@@ -23,6 +23,13 @@ inline PixelRegion grown(const PixelRegion& box, int margin_px, int width_px, in
             std::min(width_px, box.x1 + margin_px), std::min(height_px, box.y1 + margin_px)};
 }
 
+/// The region in whole blocks of block_px x block_px pixels, cut to the picture.
+inline PixelRegion whole_blocks(const PixelRegion& region, int block_px, int width_px, int height_px) {
+    const auto up = [&](int px) { return (px + block_px - 1) / block_px * block_px; };
+    return {region.x0 / block_px * block_px, region.y0 / block_px * block_px,
+            std::min(width_px, up(region.x1)), std::min(height_px, up(region.y1))};
+}
+
 inline bool overlap(const PixelRegion& a, const PixelRegion& b) {
     return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
 }

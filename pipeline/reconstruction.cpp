@@ -175,7 +175,7 @@ TrackingResult Reconstruction::align(CameraTracking& tracking, bool has_intensit
     mark_outside(T_g_p_);
     TrackingResult result = tracking.track(live_, prediction_, guesses,
                                            has_intensity && model_has_intensity_ ? &intensity : nullptr,
-                                           &outside_, fused_frames_);
+                                           {&outside_}, fused_frames_);
     judge_step(config_.tracking, result.T_p_c, result);
     return result;
 }

@@ -36,9 +36,17 @@ SampleWeighting::SampleWeighting(const Device& device, const SampleWeightConfig&
 const Buffer<std::uint8_t>& SampleWeighting::weigh(const LiveMaps& live) { return weigh(live, no_mask_); }
 
 const Buffer<std::uint8_t>& SampleWeighting::weigh(const LiveMaps& live, const Buffer<std::uint8_t>& mask) {
-    sample_weights_.launch(eight_pixels_each(shape_), live.depth_m, live.normals_c, mask, weights_, shape_,
-                           intrinsics_, params_);
+    launch(eight_pixels_each(shape_), live, mask);
     return weights_;
+}
+
+const Buffer<std::uint8_t>& SampleWeighting::weigh(const LiveMaps& live, const PixelRegion& region) {
+    launch(eight_pixels_each(shape_, region), live, no_mask_);
+    return weights_;
+}
+
+void SampleWeighting::launch(const LaunchSize& size, const LiveMaps& live, const Buffer<std::uint8_t>& mask) {
+    sample_weights_.launch(size, live.depth_m, live.normals_c, mask, weights_, shape_, intrinsics_, params_);
 }
 
 }  // namespace touchstone

@@ -17,11 +17,12 @@ struct ProgramSource {
     std::string_view text;
 };
 
-/// Global and local sizes of a launch, in whole work-groups. The local size is never left to the device: PoCL
-/// would compile the kernel anew for each size it chooses.
+/// Global and local sizes of a launch, in whole work-groups, and the first global id. The local size is never
+/// left to the device: PoCL would compile the kernel anew for each size it chooses.
 struct LaunchSize {
     std::array<std::size_t, 3> global{1, 1, 1};
     std::array<std::size_t, 3> local{1, 1, 1};
+    std::array<std::size_t, 3> first{0, 0, 0};
 };
 
 constexpr std::size_t ceil_div(std::size_t value, std::size_t divisor) {

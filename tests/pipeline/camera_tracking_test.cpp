@@ -20,7 +20,7 @@ class CameraTrackingTest : public testing::Test {
                          const Buffer<std::uint8_t>* excluded = nullptr) {
         test::write_live(live, live_);
         test::write_model(model, prediction_);
-        return tracking_.track(live_, prediction_, guesses, nullptr, excluded);
+        return tracking_.track(live_, prediction_, guesses, nullptr, {excluded});
     }
     OrientedPicture view(const test::OrientedSurface& scene, const RigidTransform& T_g_c) const {
         return test::view_of(k_, scene, T_g_c);
