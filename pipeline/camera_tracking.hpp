@@ -74,7 +74,9 @@ struct IntensityPair {
 /// Which live pixels are aligned.
 struct LivePixels {
     const Buffer<std::uint8_t>* excluded = nullptr;  ///< those that are not 0 are left out; null: none
-    PixelRegion region{};                            ///< the others are left out; empty: no others
+    /// Work is done in whole blocks of 64 pixels around it, in which all counts that is not excluded; normals
+    /// at the blocks' rim are not to be relied on. Empty: the whole picture.
+    PixelRegion region{};
 };
 
 /// Where the points of a view are: twists turn about their middle, and rotations are counted as the movement

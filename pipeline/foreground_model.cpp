@@ -154,8 +154,9 @@ void ForegroundModel::track(MovingVolume& volume, const Part& part, const LiveMa
     RigidTransform shifted = RigidTransform::Identity();
     shifted.translation() = volume.last_centre_c_m - part.points.centre_c_m;
     const std::array guesses{RigidTransform::Identity(), volume.last_step_T_p_c, shifted};
-    TrackingResult result = tracking_.track(live, volume.prediction, guesses, nullptr,
-                                            {&others_, part.points.region}, volume.frames);
+    const PixelRegion region = grown(part.points.region, region_margin_px, shape_.width_px, shape_.height_px);
+    TrackingResult result =
+        tracking_.track(live, volume.prediction, guesses, nullptr, {&others_, region}, volume.frames);
     judge_step(config_.tracking, result.T_p_c, result);
     if (result.state == TrackingState::lost)
         volume.clear();

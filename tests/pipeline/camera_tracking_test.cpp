@@ -17,10 +17,10 @@ class CameraTrackingTest : public testing::Test {
     /// Live picture `live` against prediction `model`.
     TrackingResult track(const OrientedPicture& live, const OrientedPicture& model,
                          const std::vector<RigidTransform>& guesses = {RigidTransform::Identity()},
-                         const Buffer<std::uint8_t>* excluded = nullptr) {
+                         const LivePixels& pixels = {}) {
         test::write_live(live, live_);
         test::write_model(model, prediction_);
-        return tracking_.track(live_, prediction_, guesses, nullptr, {excluded});
+        return tracking_.track(live_, prediction_, guesses, nullptr, pixels);
     }
     OrientedPicture view(const test::OrientedSurface& scene, const RigidTransform& T_g_c) const {
         return test::view_of(k_, scene, T_g_c);
@@ -134,11 +134,31 @@ TEST_F(CameraTrackingTest, ExcludedPixelsDoNotPullThePose) {
     std::vector<std::uint8_t> mask;
     for (std::size_t i = 0; i < live.depth_m.size(); ++i) mask.push_back(i % 160 < 62 ? 255 : 0);
     const Buffer<std::uint8_t> excluded(device_, test::padded<std::uint8_t>(live_.shape, mask));
-    const TrackingResult result = track(live, model, {RigidTransform::Identity()}, &excluded);
+    const TrackingResult result = track(live, model, {RigidTransform::Identity()}, {&excluded});
     EXPECT_EQ(result.state, TrackingState::good) << result.reason;
     EXPECT_LT(test::pose_error(result.T_p_c, T_p_c).mm, 0.2f);
     // The mask is for one call.
     EXPECT_GT(test::pose_error(track(live, model).T_p_c, T_p_c).mm, 1.0f);
+}
+
+/// Of 48 x 36 pixels in the middle, named as a region with what is around it left out, and by leaving it out
+/// alone: the same pose to the bit, from the same sums.
+TEST_F(CameraTrackingTest, ARegionIsWhatIsLeftWithoutTheOthers) {
+    const RigidTransform T_p_c = moved({6.0f, 4.0f, -5.0f}, 0.5f);
+    const OrientedPicture model = view(test::corner(), T_g_p_), live = view(test::corner(), T_g_p_ * T_p_c);
+    const PixelRegion region{72, 20, 120, 56};
+    std::vector<std::uint8_t> mask;
+    for (int i = 0; i < static_cast<int>(live.depth_m.size()); ++i)
+        mask.push_back(region.contains(i % 160, i / 160) ? 0 : 255);
+    const Buffer<std::uint8_t> excluded(device_, test::padded<std::uint8_t>(live_.shape, mask));
+    const std::vector guesses{RigidTransform::Identity()};
+    track(live, model, guesses);  // what it leaves behind outside the region is not read
+    const TrackingResult in_region = track(live, model, guesses, {&excluded, region});
+    const TrackingResult without_others = track(live, model, guesses, {&excluded});
+    EXPECT_EQ(in_region.T_p_c.matrix(), without_others.T_p_c.matrix());
+    EXPECT_EQ(in_region.inlier_share, without_others.inlier_share);
+    EXPECT_GT(in_region.inlier_share, 0.9f);
+    EXPECT_NE(in_region.T_p_c.matrix(), track(live, model, guesses).T_p_c.matrix());
 }
 
 /// A hand in the right half of the view, as large as the object in the left one, was in the model and moves
