@@ -54,7 +54,11 @@ void add_object_keys(KeyList& keys, Config& config) {
              "what is put down and left becomes background after so long");
     keys.add("max_side_m", objects.max_side_m, 0.02, 5, "larger things are people and furniture: never");
     keys.add("export_dir", objects.export_dir,
-             "folder for meshes of what is lifted out of the scanned scene; empty: none");
+             "folder for meshes and scans of what is lifted out of the scanned scene; empty: none");
+    keys.add("model", config.object_file,
+             "scan of one object (track --scan): it is found in a hand and followed; empty: none");
+    keys.add("follow_lifted", config.interaction.follow_lifted,
+             "what is lifted out of the scanned scene is followed so, too");
 }
 
 void add_foreground_keys(KeyList& keys, Config& config) {

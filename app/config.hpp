@@ -22,7 +22,8 @@ struct Config {
     std::string sensor_uri;
     DeviceConfig compute;
     InteractionConfig interaction;
-    std::string scan_file;  ///< empty: the surroundings are scanned at every start
+    std::string scan_file;    ///< empty: the surroundings are scanned at every start
+    std::string object_file;  ///< scan of an object that is followed in hands; empty: none
     bool tuio_enabled = true;
     TuioConfig tuio;
     DisplayConfig display;

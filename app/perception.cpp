@@ -35,6 +35,7 @@ Perception::Perception(const RunOptions& options)
     if (options.maps_dir) maps_.emplace(*options.maps_dir);
     run_self_test(device_);
     log_info("computing on {}", device_.name());
+    if (!options.config.object_file.empty()) object_ = load_scan(options.config.object_file).volume;
     const std::string& uri = options_.config.sensor_uri;
     if (uri.empty()) return;
     camera_ = DepthCamera::open(uri, options_.pace);
@@ -126,6 +127,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
 void Perception::start_pipeline(const Intrinsics& intrinsics) {
     intrinsics_ = intrinsics;
     pipeline_ = std::make_unique<InteractionPipeline>(device_, options_.config.interaction, intrinsics_);
+    if (object_) pipeline_->follow_object(*object_);
     const std::string& file = options_.config.scan_file;
     if (file.empty()) return;
     std::error_code none;

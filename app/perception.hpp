@@ -44,6 +44,7 @@ class Perception {
     SensorSession session_;  ///< for the whole life: loading OpenNI2 anew is slow and loses memory
     std::optional<DepthCamera> camera_;
     std::unique_ptr<InteractionPipeline> pipeline_;
+    std::optional<VolumeSnapshot> object_;  ///< that is followed in hands
     std::vector<std::unique_ptr<TouchSink>> sinks_;
     std::optional<PictureFolder> maps_;
     Intrinsics intrinsics_{};

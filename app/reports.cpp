@@ -28,6 +28,30 @@ ReportedPhase to_phase(TouchPhase phase) {
     return ReportedPhase::up;
 }
 
+const char* state_word(HeldObjectState state) {
+    switch (state) {
+        case HeldObjectState::searching:
+            return "searching";
+        case HeldObjectState::tracked:
+            return "tracked";
+        case HeldObjectState::lost:
+            break;
+    }
+    return "lost";
+}
+
+ReportedObject to_object(const HeldObjectFrame& held) {
+    ReportedObject object{state_word(held.state), held.reason, {}, {}};
+    const Eigen::Quaternionf turn(held.T_c_o.linear());
+    for (int axis = 0; axis < 3; ++axis) {
+        object.camera_mm[static_cast<std::size_t>(axis)] =
+            1000.0 * static_cast<double>(held.T_c_o.translation()[axis]);
+    }
+    for (int part = 0; part < 4; ++part)
+        object.quaternion[static_cast<std::size_t>(part)] = static_cast<double>(turn.coeffs()[part]);
+    return object;
+}
+
 }  // namespace
 
 const char* state_word(InteractionState state) {
@@ -51,6 +75,7 @@ TouchReport make_report(const InteractionFrame& frame, int index, std::uint64_t 
         report.touches.back().phase = to_phase(touch.phase);
     }
     for (const HoverEvent& hover : frame.hovers) report.hovers.push_back(to_finger(hover.tip));
+    if (frame.held) report.object = to_object(*frame.held);
     return report;
 }
 

@@ -40,6 +40,7 @@ InteractionConfig with_shared_noise(InteractionConfig config) {
     config.touch.map.noise = config.noise;
     config.foreground.weights.noise = config.noise;
     config.foreground.tracking.noise = config.noise;
+    config.held.noise = config.noise;
     config.watch.noise = config.noise;
     config.background.objects.noise = config.noise;
     config.stillness.noise = config.noise;
@@ -76,6 +77,11 @@ void InteractionPipeline::use_scan(const SavedScan& scan) {
     keyframes_ = KeyframeDatabase({}, scan.keyframes);
     aligning_ = &start_alignment_;
     aligning_->start(scan.T_g_c);
+}
+
+void InteractionPipeline::follow_object(const VolumeSnapshot& model) {
+    held_.reset();
+    held_.emplace(*device_, config_.held, intrinsics_, model);
 }
 
 SavedScan InteractionPipeline::saved_scan() const {
@@ -195,6 +201,7 @@ void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame&
     foreground_mask_ = &foreground.mask;
     if (verdict == CameraVerdict::still) detect_touches(foreground, timestamp_us, frame);
     if (verdict == CameraVerdict::still) reconstruct_foreground(foreground);
+    if (verdict == CameraVerdict::still) find_held_object(foreground, frame);
     {
         const StageTimer timer(times_, "sensor drift");
         const std::span<const float> before = drift_.shift_per_m();
@@ -212,6 +219,12 @@ void InteractionPipeline::reconstruct_foreground(const Foreground& foreground) {
     const StageTimer timer(times_, "foreground reconstruction");
     foreground_model_->update(live_, foreground);
     foreground_is_modelled_ = true;
+}
+
+void InteractionPipeline::find_held_object(const Foreground& foreground, InteractionFrame& frame) {
+    if (!held_) return;
+    const StageTimer timer(times_, "held object");
+    frame.held = held_->process(live_, foreground.mask);
 }
 
 void InteractionPipeline::detect_touches(const Foreground& foreground, std::uint64_t timestamp_us,
@@ -232,6 +245,7 @@ void InteractionPipeline::segment_objects(const Foreground& foreground, std::uin
                                           InteractionFrame& frame) {
     const StageTimer timer(times_, "object segmentation");
     frame.objects = objects_.update(live_, foreground, frame.touches, timestamp_us, *background_);
+    if (config_.follow_lifted && !frame.objects.lifted.empty()) follow_object(frame.objects.lifted.back());
 }
 
 ShadedView InteractionPipeline::view() {

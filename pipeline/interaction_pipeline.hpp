@@ -11,6 +11,7 @@
 #include "pipeline/depth_map_conversion.hpp"
 #include "pipeline/foreground_model.hpp"
 #include "pipeline/foreground_segmentation.hpp"
+#include "pipeline/held_object.hpp"
 #include "pipeline/interactive_area.hpp"
 #include "pipeline/object_segmentation.hpp"
 #include "pipeline/realignment.hpp"
@@ -37,6 +38,8 @@ struct InteractionConfig {
     InteractiveAreaConfig area_fit;
     RenderingConfig rendering;
     ForegroundModelConfig foreground;
+    HeldObjectConfig held;
+    bool follow_lifted = false;  ///< what was last lifted out of the scan is looked for in hands
     CameraWatchConfig watch;
     RealignmentConfig realignment;
     int saved_scan_frames = 60;  ///< in which a saved scan must be found to fit
@@ -57,7 +60,8 @@ struct InteractionFrame {
     std::string note;  ///< one line for the operator, empty when all is well
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;
-    ObjectChanges objects;  ///< put down, taken away, lifted out of the scan
+    ObjectChanges objects;                ///< put down, taken away, lifted out of the scan
+    std::optional<HeldObjectFrame> held;  ///< while an object is looked for; only of live frames
 };
 
 /// Fig 14 for a fixed camera: scan the surroundings, then segment what moves, find touches, and follow the
@@ -68,6 +72,9 @@ class InteractionPipeline {
 
     /// Before the first frame: no new scan when the view fits this one. Throws Error as restore_volume.
     void use_scan(const SavedScan& scan);
+    /// From now on this object is looked for in the foreground, and followed (Fig 1 E). Throws Error as
+    /// restore_volume.
+    void follow_object(const VolumeSnapshot& model);
     InteractionFrame process(const DepthView& view, std::uint64_t timestamp_us);
     /// The background as it is. Only once the state has been live. Waits for the device.
     SavedScan saved_scan() const;
@@ -99,6 +106,7 @@ class InteractionPipeline {
     void fit_area();
     void interact(std::uint64_t timestamp_us, InteractionFrame& frame);
     void reconstruct_foreground(const Foreground& foreground);
+    void find_held_object(const Foreground& foreground, InteractionFrame& frame);
     void detect_touches(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
     void segment_objects(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
     CameraVerdict judge_camera(const Foreground& foreground);
@@ -121,6 +129,7 @@ class InteractionPipeline {
     ObjectSegmentation objects_;
     Rendering rendering_;
     std::optional<ForegroundModel> foreground_model_;
+    std::optional<HeldObject> held_;
     bool foreground_is_modelled_ = false;  ///< in the last frame
     std::optional<BackgroundModel> background_;
     std::optional<InteractiveArea> area_;

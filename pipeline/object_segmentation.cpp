@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/mesh_file.hpp"
+#include "pipeline/scan_file.hpp"
 #include "pipeline/surface_mesh.hpp"
 #include "platform/system/log.hpp"
 
@@ -41,7 +42,7 @@ ObjectChanges ObjectSegmentation::update(const LiveMaps& live, const Foreground&
     for (const UncoveredSurface& surface : found.lifted) {
         changes.lifted.push_back(background.cut_out(surface, frame));
         log_info("lifted out of the scan: {} bricks", changes.lifted.back().bricks.size());
-        write_mesh(changes.lifted.back());
+        export_object(changes.lifted.back(), background.T_g_c());
     }
     const std::vector<UncoveredSurface> pending = uncovered_.pending();
     const bool waits = !pending.empty();
@@ -63,7 +64,7 @@ void ObjectSegmentation::forget() {
     waited_ = false;
 }
 
-void ObjectSegmentation::write_mesh(const VolumeSnapshot& object) {
+void ObjectSegmentation::export_object(const VolumeSnapshot& object, const RigidTransform& T_g_c) {
     if (config_.export_dir.empty()) return;
     const std::filesystem::path folder(config_.export_dir);
     std::filesystem::path file;
@@ -73,10 +74,11 @@ void ObjectSegmentation::write_mesh(const VolumeSnapshot& object) {
     try {
         std::filesystem::create_directories(folder);
         const SurfaceMesh mesh = extract_surface(object);
-        touchstone::write_mesh(file, mesh);
+        write_mesh(file, mesh);
+        save_scan(std::filesystem::path(file).replace_extension("scan"), {object, intrinsics_, T_g_c, {}});
         log_info("{}: {} triangles", file.string(), mesh.triangles.size());
     } catch (const std::exception& error) {
-        log_warning("the mesh of a lifted object is not written: {}", error.what());
+        log_warning("a lifted object is not written: {}", error.what());
     }
 }
 

@@ -43,7 +43,7 @@ class ObjectSegmentation {
     };
 
     Found look(const ObjectFrame& frame, bool uncovered);
-    void write_mesh(const VolumeSnapshot& object);
+    void export_object(const VolumeSnapshot& object, const RigidTransform& T_g_c);
 
     ObjectsConfig config_;
     Intrinsics intrinsics_;

@@ -36,6 +36,17 @@ void add_place(Json& object, const ReportedFinger& finger) {
     object["height_mm"] = rounded_mm(finger.height_mm);
 }
 
+void add_object(Json& line, const ReportedObject& object) {
+    Json& entry = line["object"];
+    entry["state"] = object.state;
+    if (!object.reason.empty()) entry["reason"] = object.reason;
+    if (object.state != "tracked") return;
+    entry["camera_mm"] = Json::array();
+    for (const double mm : object.camera_mm) entry["camera_mm"].push_back(rounded_mm(mm));
+    entry["quaternion"] = Json::array();
+    for (const double part : object.quaternion) entry["quaternion"].push_back(rounded_share(part));
+}
+
 [[noreturn]] void fail(const char* what, const std::string& name, int code) {
     throw Error(ExitStatus::io_error, fmt::format("cannot {} the event log {}: {}", what, name,
                                                   std::generic_category().message(code)));
@@ -61,6 +72,7 @@ std::string event_line(const TouchReport& report) {
         object["id"] = hover.id;
         add_place(object, hover);
     }
+    if (report.object) add_object(line, *report.object);
     return line.dump();
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ struct ReportedFinger {
     double height_mm = 0.0;
 };
 
+/// A rigid object of known shape in a hand: searching, tracked or lost; where it is while tracked.
+struct ReportedObject {
+    std::string state;
+    std::string reason;                  ///< in words, empty when all is well
+    std::array<double, 3> camera_mm{};   ///< origin of the model's frame (of its mesh), in the camera's
+    std::array<double, 4> quaternion{};  ///< x, y, z, w: the model's axes in the camera's
+};
+
 /// Everything one processed frame tells the outside.
 struct TouchReport {
     int frame = 0;
@@ -26,6 +35,7 @@ struct TouchReport {
     std::string state;
     std::vector<ReportedFinger> touches;
     std::vector<ReportedFinger> hovers;
+    std::optional<ReportedObject> object{};  ///< while one is looked for
 };
 
 /// Takes the report of each processed frame: event log, TUIO.

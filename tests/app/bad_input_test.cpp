@@ -44,6 +44,13 @@ TEST(BadInput, MissingRecording) {
     expect_refused(touchstone_run({"--sensor", "/nowhere/table.oni"}), 66, HasSubstr("/nowhere/table.oni"));
 }
 
+TEST(BadInput, MissingModelOfAnObject) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "table.toml") << "[objects]\nmodel = \"/nowhere/toy.scan\"\n";
+    expect_refused(touchstone_run({"--sensor", "sim:flat", "--config", (folder / "table.toml").string()}), 66,
+                   HasSubstr("/nowhere/toy.scan"));
+}
+
 TEST(BadInput, TruncatedPng) {
     const TemporaryFolder folder;
     write_png(folder / "frame-000000.depth.png", gray_depth(64, 48));

@@ -28,6 +28,25 @@ TEST(Reports, MetresBecomeMillimetres) {
     EXPECT_NEAR(report.hovers.at(0).surface[1], 0.75, 1e-6);
 }
 
+TEST(Reports, AHeldObjectIsReportedWhereOneIsLookedFor) {
+    InteractionFrame frame;
+    EXPECT_FALSE(make_report(frame, 0, 0).object);
+    frame.held.emplace();
+    frame.held->reason = "nothing is held";
+    EXPECT_EQ(make_report(frame, 0, 0).object->state, "searching");
+    EXPECT_EQ(make_report(frame, 0, 0).object->reason, "nothing is held");
+    frame.held->state = HeldObjectState::tracked;
+    frame.held->T_c_o =
+        Eigen::Translation3f(0.1f, -0.2f, 1.0f) * Eigen::AngleAxisf(1.2870022f, Eigen::Vector3f::UnitY());
+    const ReportedObject object = *make_report(frame, 0, 0).object;
+    EXPECT_EQ(object.state, "tracked");
+    EXPECT_NEAR(object.camera_mm[1], -200.0, 1e-3);
+    EXPECT_NEAR(object.quaternion[1], 0.6, 1e-6);
+    EXPECT_NEAR(object.quaternion[3], 0.8, 1e-6);
+    frame.held->state = HeldObjectState::lost;
+    EXPECT_EQ(make_report(frame, 0, 0).object->state, "lost");
+}
+
 TEST(Reports, TouchesOfAFrameThatWasNeverDrawnAreKept) {
     TableFrame old, newer;
     old.index = 1, newer.index = 2;

@@ -6,6 +6,7 @@
 
 #include "pipeline/bulkiest_place.hpp"
 #include "pipeline/depth_map_conversion.hpp"
+#include "pipeline/interaction_pipeline.hpp"
 #include "pipeline/relocalisation.hpp"
 #include "tests/support/analytic_scene.hpp"
 #include "tests/support/distance_snapshot.hpp"
@@ -162,6 +163,33 @@ TEST(HeldObject, WhatTheShapeDoesNotTellIsHeld) {
     EXPECT_NE(result.reason.find("3 of 6"), std::string::npos);
     const Eigen::Vector3f middle_c = result.T_c_o * Eigen::Vector3f::Constant(0.16f);
     EXPECT_LT((middle_c - before_camera - 0.02f * Eigen::Vector3f::UnitX()).norm(), 0.002f);
+}
+
+/// In the kiosk: nothing is said of an object that nobody asked for; asked for, it is looked for from the
+/// first live frame on and found in the hand.
+TEST(HeldObject, IsFoundInTheWholePipeline) {
+    const Device device{DeviceConfig{}};
+    InteractionConfig config;
+    config.scan_frames = 6;
+    config.background.volume.size_vox = 128;
+    InteractionPipeline pipeline(device, config, kinect);
+    std::uint64_t time_us = 0;
+    const auto see = [&](const test::DepthOfRay& things) {
+        std::vector<float> depth_m = test::render_depth_m(kinect, things);
+        for (float& z : depth_m) z = z > 0.0f ? z : wall_m;
+        return pipeline.process({test::to_mm(depth_m), kinect}, time_us += 33'333);
+    };
+    const test::DepthOfRay nothing = [](const Eigen::Vector3f&) { return 0.0f; };
+    for (int frame = 0; frame < 8; ++frame) EXPECT_FALSE(see(nothing).held);
+    pipeline.follow_object(model_of(toy()));
+    const RigidTransform T_c_o = pose(before_camera, 40.0f, {0.3f, 1.0f, 0.2f});
+    const test::DepthOfRay hand = test::both(arm(), at_pose(toy(), T_c_o));
+    InteractionFrame frame = see(hand);
+    ASSERT_TRUE(frame.held);
+    EXPECT_EQ(frame.held->state, HeldObjectState::searching);
+    for (int i = 0; i < 30 && frame.held->state != HeldObjectState::tracked; ++i) frame = see(hand);
+    ASSERT_EQ(frame.held->state, HeldObjectState::tracked) << frame.held->reason;
+    expect_near(frame.held->T_c_o, T_c_o, 2.0f, 1.0f);
 }
 
 TEST(BulkiestPlace, IsTheMiddleOfTheLargestCircle) {

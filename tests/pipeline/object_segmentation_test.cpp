@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/mesh_file.hpp"
+#include "pipeline/scan_file.hpp"
 #include "pipeline/surface_mesh.hpp"
 #include "tests/support/object_scene.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -155,6 +156,7 @@ TEST(ObjectSegmentation, WhatIsLiftedOutOfTheScanIsCutOutAndTheRestStays) {
     EXPECT_LE(frames, 30) << "within a second";
     EXPECT_NEAR(scene.predicted_m(90, 80), 1.0f, 0.002f) << "the wall is there at once";
     EXPECT_TRUE(std::filesystem::exists(folder / "objects/object-001.ply"));
+    EXPECT_EQ(load_scan(folder / "objects/object-001.scan").volume.bricks, lifted[0].bricks);
     const SurfaceMesh mesh = extract_surface(lifted[0]);
     ASSERT_GT(mesh.triangles.size(), 100u);
     for (const Eigen::Vector3f& vertex : mesh.vertices_g_m) {

@@ -34,6 +34,17 @@ TEST(EventLine, OfAnEmptyFrameHasEmptyLists) {
               R"({"frame":0,"time_us":0,"state":"scanning","touches":[],"hovers":[]})");
 }
 
+TEST(EventLine, SaysWhereAHeldObjectIs) {
+    TouchReport report{.frame = 1, .time_us = 2, .state = "live", .touches = {}, .hovers = {}};
+    report.object = {"tracked", "", {-10.126, 20.0, 801.5}, {0.0, 0.6, 0.0, 0.8}};
+    const std::string before = R"({"frame":1,"time_us":2,"state":"live","touches":[],"hovers":[],"object":)";
+    EXPECT_EQ(
+        event_line(report),
+        before + R"({"state":"tracked","camera_mm":[-10.13,20.0,801.5],"quaternion":[0.0,0.6,0.0,0.8]}})");
+    report.object = {"lost", "only 3 % of the object is seen", {}, {}};
+    EXPECT_EQ(event_line(report), before + R"({"state":"lost","reason":"only 3 % of the object is seen"}})");
+}
+
 TEST(EventLine, NamesAllPhasesAndHasNoMinusZero) {
     TouchReport report = report_with_a_touch_and_a_hover();
     report.touches[0].phase = ReportedPhase::up;
