@@ -44,6 +44,12 @@ inline Points8 back_project8(const Intrinsics k, const int x, const int y, const
 
 inline float8 dot8(const Points8 a, const Points8 b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
 
+inline float sum8(const float8 v) {
+    const float4 a = v.lo + v.hi;
+    const float2 b = a.lo + a.hi;
+    return b.x + b.y;
+}
+
 /* The nearest pixel of each camera point as an index into a map, or -1 where it falls outside the picture. */
 inline int8 project_to_index8(const Intrinsics k, const MapShape shape, const Points8 p_c) {
     const int8 ahead = p_c.z > 0.05f;

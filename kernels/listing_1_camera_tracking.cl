@@ -26,12 +26,6 @@ __kernel void half_sample(__global const float* source_m, __global float* half_m
     vstore8(result, 0, half_m + y * half_shape.pitch_px + x);
 }
 
-inline float sum8(const float8 v) {
-    const float4 a = v.lo + v.hi;
-    const float2 b = a.lo + a.hi;
-    return b.x + b.y;
-}
-
 /* Depths without those of the pixels whose mask is not 0. Eight pixels a work-item. */
 __kernel void leave_out(__global const float* depth_m, __global const uchar* mask, __global float* result_m, const MapShape shape) {
     const int at = (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8;

@@ -79,6 +79,7 @@ BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& c
       weighting_(device, config.weights, intrinsics),
       integration_(device, intrinsics, config.weights.noise),
       raycasting_(device, intrinsics),
+      resting_(device, config.rest, config.weights.noise, make_map_shape(intrinsics)),
       prediction_(device, make_map_shape(intrinsics)),
       settled_(device, config.objects, intrinsics),
       program_(load_kernel_program(device, "settled_objects.cl")),
@@ -110,6 +111,7 @@ void BackgroundModel::scan(const LiveMaps& live) {
 
 void BackgroundModel::scan_anew(const LiveMaps& mean, std::span<const std::uint8_t> frames) {
     volume_ = TsdfVolume(*device_, volume_.config());
+    resting_.restart();
     std::vector<std::uint8_t> weights = weighting_.weigh(mean).read();
     for (std::size_t at = 0; at < weights.size(); ++at)
         weights[at] = weights[at] != 0 ? frames[at] : std::uint8_t{0};
@@ -121,14 +123,17 @@ void BackgroundModel::scan_anew(const LiveMaps& mean, std::span<const std::uint8
 void BackgroundModel::follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask) {
     const BrickLayers share = layer_share(volume_, next_part_, config_.refresh_parts);
     next_part_ = (next_part_ + 1) % config_.refresh_parts;
-    const std::vector<int>& changed = integration_.integrate(
-        volume_, live.depth_m, weighting_.weigh(live, all_left_out(mask)), placement_.T_g_c, share);
+    Buffer<std::uint8_t>& weights = weighting_.weigh(live, all_left_out(mask));
+    resting_.leave_out(live, prediction_, weights);
+    const std::vector<int>& changed =
+        integration_.integrate(volume_, live.depth_m, weights, placement_.T_g_c, share);
     raycasting_.refresh(volume_, placement_.T_g_c, changed, prediction_);
     settled_.lay_over(prediction_);
 }
 
 void BackgroundModel::move_camera(const RigidTransform& T_g_c) {
     placement_.T_g_c = T_g_c;
+    resting_.restart();
     raycasting_.raycast(volume_, T_g_c, prediction_);
     settled_.move_camera(T_g_c);
     settled_.lay_over(prediction_);

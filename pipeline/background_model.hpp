@@ -6,6 +6,7 @@
 #include "pipeline/maps.hpp"
 #include "pipeline/object_cutting.hpp"
 #include "pipeline/raycasting.hpp"
+#include "pipeline/resting_tiles.hpp"
 #include "pipeline/sample_weights.hpp"
 #include "pipeline/settled_objects.hpp"
 #include "pipeline/tsdf_volume.hpp"
@@ -23,6 +24,7 @@ struct BackgroundConfig {
     bool fit_side = true;  ///< side and place from what the first frame sees, 1 to 5 m; else volume.side_m
     float max_volume_depth_m = 4.5f;  ///< what is farther away does not widen the fitted volume
     int refresh_parts = 8;            ///< while live, each frame keeps up one of so many slices
+    RestingTilesConfig rest;
     ObjectsConfig objects;
 };
 
@@ -83,6 +85,7 @@ class BackgroundModel {
     SampleWeighting weighting_;
     VolumetricIntegration integration_;
     Raycasting raycasting_;
+    RestingTiles resting_;
     void predict_again(const PixelRegion& box);
     const Buffer<std::uint8_t>& all_left_out(const Buffer<std::uint8_t>& mask);
 

@@ -35,7 +35,7 @@ SampleWeighting::SampleWeighting(const Device& device, const SampleWeightConfig&
 
 const Buffer<std::uint8_t>& SampleWeighting::weigh(const LiveMaps& live) { return weigh(live, no_mask_); }
 
-const Buffer<std::uint8_t>& SampleWeighting::weigh(const LiveMaps& live, const Buffer<std::uint8_t>& mask) {
+Buffer<std::uint8_t>& SampleWeighting::weigh(const LiveMaps& live, const Buffer<std::uint8_t>& mask) {
     launch(eight_pixels_each(shape_), live, mask);
     return weights_;
 }

@@ -23,7 +23,7 @@ class SampleWeighting {
     /// Valid until the next call.
     const Buffer<std::uint8_t>& weigh(const LiveMaps& live);
     /// The same; pixels with a mask value other than 0 are left out, too.
-    const Buffer<std::uint8_t>& weigh(const LiveMaps& live, const Buffer<std::uint8_t>& mask);
+    Buffer<std::uint8_t>& weigh(const LiveMaps& live, const Buffer<std::uint8_t>& mask);
     /// Weighs the pixels of the region; the others keep the weights of an earlier call.
     const Buffer<std::uint8_t>& weigh(const LiveMaps& live, const PixelRegion& region);
 
