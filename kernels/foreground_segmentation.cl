@@ -60,21 +60,21 @@ inline uchar8 load_bytes_or_zero8(__global const uchar* row, const int x, const 
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (uchar8)(0);
 }
 
-/* Members with MEMBER_EXPECTED where `held` is not 0. */
-inline uchar8 with_expected8(const uchar8 member, const uchar8 held) {
-    const char8 expected = (member != (uchar8)(0)) & (held != (uchar8)(0));
+/* Members with MEMBER_EXPECTED where `held` is at least least_held. */
+inline uchar8 with_expected8(const uchar8 member, const uchar8 held, const uchar least_held) {
+    const char8 expected = (member != (uchar8)(0)) & (held >= (uchar8)(least_held));
     return select(member, member | (uchar8)(MEMBER_EXPECTED), expected);
 }
 
 /* A seed stays one when at least 7 of the 9 pixels around it (with it) are members; else it can only be grown into. So
- * strips of one or two pixels hold no seed. The same for MEMBER_UNKNOWN. `held`: not 0 where the foreground was a moment
- * ago. */
+ * strips of one or two pixels hold no seed. The same for MEMBER_UNKNOWN. `held`: of mask_background; at least least_held where
+ * the foreground was a moment ago. */
 __kernel void keep_supported_seeds(__global const uchar* members, __global const uchar* held, __global uchar* supported,
-                                   const MapShape shape) {
+                                   const MapShape shape, const int least_held) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;
     const uchar8 member = vload8(0, members + at), before = vload8(0, held + at);
     if (!any(convert_char8(member > (uchar8)(MEMBER_GROWTH)))) {
-        vstore8(with_expected8(member, before), 0, supported + at);
+        vstore8(with_expected8(member, before, (uchar)least_held), 0, supported + at);
         return;
     }
     uchar8 around = (uchar8)(0);
@@ -86,7 +86,7 @@ __kernel void keep_supported_seeds(__global const uchar* members, __global const
                   min((uchar8)(b.s1234, b.s567, c.s0), (uchar8)(1));
     }
     const char8 weak = (member > (uchar8)(MEMBER_GROWTH)) & (around < (uchar8)(7));
-    vstore8(with_expected8(select(member, (uchar8)(MEMBER_GROWTH), weak), before), 0, supported + at);
+    vstore8(with_expected8(select(member, (uchar8)(MEMBER_GROWTH), weak), before, (uchar)least_held), 0, supported + at);
 }
 
 /* 255 within radius_px (at most 8) columns of the mask. */

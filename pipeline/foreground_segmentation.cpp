@@ -85,7 +85,8 @@ void ForegroundSegmentation::mark_candidates(const LiveMaps& live, const Surface
     const LaunchSize size = eight_pixels_each(foreground_.shape);
     mark_candidates_.launch(size, foreground_.rejection, live.filtered_m, background.depth_m, fallback_m_,
                             candidates_, foreground_.shape, params_);
-    keep_supported_seeds_.launch(size, candidates_, held_, members_, foreground_.shape);
+    keep_supported_seeds_.launch(size, candidates_, held_, members_, foreground_.shape,
+                                 config_.hold_frames + 2 - config_.expect_frames);
 }
 
 void ForegroundSegmentation::select_components(const std::vector<Component>& found) {

@@ -19,6 +19,7 @@ struct ForegroundSegmentationConfig {
     /// What appears apart from the foreground of late is believed in its second frame, unless it is so many
     /// times the smallest: for a frame, the sensor puts small things where there are none.
     float sure_areas = 8.0f;
+    int expect_frames = 1;          ///< what was marked in so many frames before this one is of late
     float unknown_area_m2 = 4e-3f;  ///< from where on pixels far from anything known are seeds
     float unknown_depth_m = 5.5f;   ///< and nearer than this
     float edge_jump_per_m = 0.02f;  ///< the model has an edge where depth changes by this times the depth

@@ -77,7 +77,7 @@ float MovingParts::find(const LiveMaps& live, const SurfacePrediction& model, co
     mark_moving_.launch(size, codes_, live.filtered_m, seen_free_, before.nearest_m, candidates_, shape_,
                         intrinsics_, to_pose(T_g_c), to_pose(T_b_c), cell_m_, config_.cells_per_side,
                         config_.enough_frames, config_.into_unknown ? 1 : 0, noise);
-    keep_supported_seeds_.launch(size, candidates_, none_expected_, members_, shape_);
+    keep_supported_seeds_.launch(size, candidates_, none_expected_, members_, shape_, 1);
     if (turns_fast(T_b_c)) members_.fill(MEMBER_NONE);
     const float share = select_components(components_.find(members_, live.filtered_m));
     hold_moving_.launch(size, labels_, members_, codes_, live.filtered_m, last_m_, last_held_, held_, parts_,

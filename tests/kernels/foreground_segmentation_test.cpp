@@ -80,15 +80,15 @@ TEST_P(SegmentationKernels, CandidatesAgreeWithTheReference) {
 
 TEST_P(SegmentationKernels, SupportedSeedsAgreeWithTheReference) {
     const Grid<std::uint8_t> members = random_bytes(width_px, height_px, 5, {0, 1, 2, 2, 3});
-    const Grid<std::uint8_t> held = random_bytes(width_px, height_px, 14, {0, 0, 1, 6});
+    const Grid<std::uint8_t> held = random_bytes(width_px, height_px, 14, {0, 0, 4, 5, 6});
     Buffer<std::uint8_t> supported(device, map_pixels(shape));
     program.kernel("keep_supported_seeds")
-        .launch(eight_pixels_each(shape), upload(device, members), upload(device, held), supported, shape);
+        .launch(eight_pixels_each(shape), upload(device, members), upload(device, held), supported, shape, 5);
     const std::vector<std::uint8_t> found = test::cropped(shape, supported.read());
     for (int y = 0; y < height_px; ++y) {
         for (int x = 0; x < width_px; ++x)
             ASSERT_EQ(found[static_cast<std::size_t>(y * width_px + x)],
-                      reference::keep_supported_seed(members, held, x, y))
+                      reference::keep_supported_seed(members, held, 5, x, y))
                 << x << " " << y;
     }
 }

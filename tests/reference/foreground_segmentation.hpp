@@ -54,9 +54,9 @@ inline ComponentMember mark_candidate(const Grid<std::uint8_t>& codes, const Gri
 }
 
 inline std::uint8_t keep_supported_seed(const Grid<std::uint8_t>& members, const Grid<std::uint8_t>& held,
-                                        int x, int y) {
+                                        int least_held, int x, int y) {
     if (members.at(x, y) == MEMBER_NONE) return MEMBER_NONE;
-    const int expected = held.at(x, y) != 0 ? int{MEMBER_EXPECTED} : 0;
+    const int expected = held.at(x, y) >= least_held ? int{MEMBER_EXPECTED} : 0;
     if (members.at(x, y) == MEMBER_GROWTH) return static_cast<std::uint8_t>(MEMBER_GROWTH | expected);
     int around = 0;
     for (int j = -1; j <= 1; ++j) {
