@@ -12,8 +12,11 @@ enum class Gesture { tap, hold, drag, pinch, sweep, feint };
 /// Finds movements that a hand can make without running into anything and whose contacts the camera sees.
 class GesturePlanner {
   public:
-    GesturePlanner(const Workplace& place, const HandShape& shape, bool human_timing)
-        : place_(place), shape_(shape), human_timing_(human_timing) {}
+    /// A hand that only hovers is never nearer to the scene than least_hover_m with its index.
+    static constexpr float least_hover_m = 0.015F;
+
+    GesturePlanner(const Workplace& place, const HandShape& shape, bool human_timing, bool hovers_only)
+        : place_(place), shape_(shape), human_timing_(human_timing), hovers_only_(hovers_only) {}
 
     /// The motions of one gesture from where the hand is now, in order of time; empty when nothing was found
     /// in a few dozen tries.
@@ -45,10 +48,13 @@ class GesturePlanner {
     std::vector<Motion> moving_contact(Gesture gesture, const Target& target, double start_s,
                                        Random& random) const;
     double contact_s(Random& random) const;
+    float planned_gap_m(Gesture gesture, Random& random) const;
+    bool is_high_enough(const Hand& hand) const;
 
     Workplace place_;
     HandShape shape_;
     bool human_timing_;
+    bool hovers_only_;
 };
 
 }  // namespace touchstone::sim
