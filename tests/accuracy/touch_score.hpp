@@ -34,6 +34,7 @@ struct TouchScore {
     std::vector<double> position_mm;  ///< error of each matched touch within a contact
     std::vector<double> late_frames;  ///< of each contact found; negative: before it began
     int id_switches = 0;
+    int drags = 0, drag_id_switches = 0;  ///< contacts found that moved by 20 mm or more, and of them
     HoverScore hover;
     int frames = 0;
     double fps = 30.0;

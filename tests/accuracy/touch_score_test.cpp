@@ -70,6 +70,19 @@ TEST(TouchScore, CountsIdSwitchesWithinAContact) {
     EXPECT_EQ(score.missed_frames, 1);
 }
 
+TEST(TouchScore, ADragIsAContactThatMovesByTwentyMillimetres) {
+    TouchTruth truth;
+    TouchLog log;
+    for (int frame = 0; frame < 3; ++frame) {
+        truth.tips.push_back({tip(0.0, 10.0 * frame, 0), tip(0.0, 200.0 + 9.0 * frame, 1)});
+        log[frame] = {touch(frame, 10.0 * frame), touch(7 + frame, 200.0 + 9.0 * frame)};
+    }
+    const TouchScore score = score_touches(truth, log);
+    EXPECT_EQ(score.drags, 1) << "20 mm, not 18";
+    EXPECT_EQ(score.drag_id_switches, 2);
+    EXPECT_EQ(score.id_switches, 4);
+}
+
 TEST(TouchScore, MatchesTwoFingersOneToOne) {
     TouchTruth truth;
     truth.tips.push_back({tip(0.0, 0.0, 0), tip(0.0, 20.0, 1)});

@@ -14,7 +14,7 @@ DepthPicture arm_picture(bool shadow) {
     if (shadow) fill(picture, {26, 12, 24, 22}, std::uint16_t{0});
     picture = with_block(picture, {0, 16, 20, 14}, 80);
     picture = with_block(picture, {19, 20, 8, 6}, 35);
-    return with_block(picture, {27, 20, 12, 6}, 8);
+    return with_block(picture, {27, 20, 12, 6}, 9);
 }
 
 TEST(DirectDepth, ATipAtTheSurfaceTouchesAtOnce) {
@@ -28,17 +28,17 @@ TEST(DirectDepth, ATipAtTheSurfaceTouchesAtOnce) {
 TEST(DirectDepth, TheSmoothedHeightComesDownByHalves) {
     DirectDepth method({});
     show_surface(method);
-    EXPECT_TRUE(method.process(arm_picture(true)).empty()) << "8 mm over the surface";
+    EXPECT_TRUE(method.process(arm_picture(true)).empty()) << "9 mm over the surface";
     int frames = 1;
     while (frames < 20 && method.process(arm_picture(false)).empty()) ++frames;
-    EXPECT_EQ(frames, 5) << "4, 2, 1 and 0.5 mm are no touch";
+    EXPECT_EQ(frames, 5) << "9, 4.5, 2.3, 1.1 and 0.6 mm are no touch";
 }
 
 TEST(DirectDepth, ItLetsGoAboveTwoAndAHalfMillimetres) {
     DirectDepth method({});
     show_surface(method);
     method.process(arm_picture(false));
-    EXPECT_TRUE(method.process(arm_picture(true)).empty()) << "half of 8 mm";
+    EXPECT_TRUE(method.process(arm_picture(true)).empty()) << "half of 9 mm";
 }
 
 }  // namespace
