@@ -29,3 +29,10 @@ touchstone_test(baselines_test
         baselines/point_tracker_test.cpp
         baselines/world_kit_test.cpp
     LIBRARIES touchstone_baselines)
+
+touchstone_library(touchstone_baseline_accuracy baseline_run.cpp touch_series.cpp)
+target_link_libraries(touchstone_baseline_accuracy PUBLIC touchstone_accuracy touchstone_baselines
+    touchstone_simulator)
+
+touchstone_test(baseline_run_test SOURCES baseline_run_test.cpp touch_series_test.cpp
+    LIBRARIES touchstone_baseline_accuracy LABELS accuracy)

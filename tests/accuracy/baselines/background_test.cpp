@@ -9,8 +9,7 @@ namespace {
 
 TEST(Background, MeanAndSpreadLeaveOutMissingReadings) {
     Readings readings;
-    for (const int mm : {998, 0, 1002})
-        readings.add(DepthPicture(1, 1, static_cast<std::uint16_t>(mm)));
+    for (const int mm : {998, 0, 1002}) readings.add(DepthPicture(1, 1, static_cast<std::uint16_t>(mm)));
     const Background background = readings.statistics();
     EXPECT_FLOAT_EQ(background.mean_mm.at(0, 0), 1000.0F);
     EXPECT_FLOAT_EQ(background.sd_mm.at(0, 0), 2.0F);

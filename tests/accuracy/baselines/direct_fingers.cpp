@@ -64,12 +64,12 @@ class FingerFinder {
         const auto distance_px = [&](std::size_t i) { return (pixel(i) - root_px).norm(); };
         const auto nearer = [&](std::size_t a, std::size_t b) { return distance_px(a) < distance_px(b); };
         const std::size_t tip = *std::max_element(blob.begin(), blob.end(), nearer);
-        if (distance_px(tip) < config_.least_length_px) return std::nullopt;
         Blob all = with_tip_flood(zones_.zone, blob, tip, config_.most_tip_flood_px);
         const std::size_t count = std::min(config_.height_px, all.size());
         std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count), all.end(),
                           [&](std::size_t a, std::size_t b) { return nearer(b, a); });
         all.resize(count);
+        if (distance_px(all.front()) < config_.least_length_px) return std::nullopt;
         const float sum_mm = std::accumulate(all.begin(), all.end(), 0.0F, [&](float sum, std::size_t i) {
             return sum + zones_.height_mm.values[i];
         });

@@ -11,7 +11,7 @@ struct FingerConfig {
     std::size_t least_arm_px = 100;
     std::size_t least_hand_px = 10;
     std::size_t least_finger_px = 10;
-    double least_length_px = 5.0;
+    double least_length_px = 5.0;  ///< from the hand to the farthest pixel
     std::size_t most_tip_flood_px = 30;
     std::size_t height_px = 8;  ///< pixels of the tip that its height is the mean of
 };
