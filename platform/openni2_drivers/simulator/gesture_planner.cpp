@@ -50,7 +50,7 @@ double GesturePlanner::contact_s(Random& random) const {
 }
 
 float GesturePlanner::planned_gap_m(Gesture gesture, Random& random) const {
-    if (hovers_only_) return random.uniform(1000.0F * least_hover_m, 200.0F) * mm;
+    if (hover_) return random.uniform(hover_->least_m, hover_->most_m);
     if (gesture == Gesture::sweep) return random.uniform(15.0F, 80.0F) * mm;
     if (gesture == Gesture::feint) return random.uniform(13.0F, 30.0F) * mm;
     return random.uniform(0.0F, 0.15F) * mm;
@@ -58,8 +58,8 @@ float GesturePlanner::planned_gap_m(Gesture gesture, Random& random) const {
 
 bool GesturePlanner::is_high_enough(const Hand& hand) const {
     constexpr float rounding_m = 1e-4F;
-    return !hovers_only_ ||
-           gap_m(place_.scene, hand.index().a, hand.index().radius_a) > least_hover_m - rounding_m;
+    return !hover_ ||
+           gap_m(place_.scene, hand.index().a, hand.index().radius_a) > hover_->least_m - rounding_m;
 }
 
 bool GesturePlanner::can_rest(const HandPosture& posture, const Vec3& shoulder_s, bool thumb_touches) const {

@@ -9,14 +9,18 @@ namespace touchstone::sim {
 
 enum class Gesture { tap, hold, drag, pinch, sweep, feint };
 
+/// Gaps of an index that never touches.
+struct HoverBand {
+    float least_m, most_m;
+};
+
 /// Finds movements that a hand can make without running into anything and whose contacts the camera sees.
 class GesturePlanner {
   public:
-    /// A hand that only hovers is never nearer to the scene than least_hover_m with its index.
-    static constexpr float least_hover_m = 0.015F;
-
-    GesturePlanner(const Workplace& place, const HandShape& shape, bool human_timing, bool hovers_only)
-        : place_(place), shape_(shape), human_timing_(human_timing), hovers_only_(hovers_only) {}
+    /// With a hover band, the gaps of all gestures are drawn from it, and the index is nowhere lower.
+    GesturePlanner(const Workplace& place, const HandShape& shape, bool human_timing,
+                   std::optional<HoverBand> hover = std::nullopt)
+        : place_(place), shape_(shape), human_timing_(human_timing), hover_(hover) {}
 
     /// The motions of one gesture from where the hand is now, in order of time; empty when nothing was found
     /// in a few dozen tries.
@@ -54,7 +58,7 @@ class GesturePlanner {
     Workplace place_;
     HandShape shape_;
     bool human_timing_;
-    bool hovers_only_;
+    std::optional<HoverBand> hover_;
 };
 
 }  // namespace touchstone::sim

@@ -37,13 +37,18 @@ Edge draw_edge(const Workplace& place, Random& random) {
 
 Gesture draw_gesture(Gestures gestures, Random& random) {
     using enum Gesture;
-    if (gestures == Gestures::hover) return random.chance(0.5F) ? sweep : feint;
+    if (gestures != Gestures::all) return random.chance(0.5F) ? sweep : feint;
     constexpr std::array<std::pair<float, Gesture>, 6> shares{
         {{0.44F, tap}, {0.55F, hold}, {0.73F, drag}, {0.87F, pinch}, {0.94F, sweep}, {1.0F, feint}}};
     const float draw = random.uniform();
     for (const auto& [until, gesture] : shares)
         if (draw < until) return gesture;
     return tap;
+}
+
+std::optional<HoverBand> hover_band(Gestures gestures) {
+    if (gestures == Gestures::all) return std::nullopt;
+    return gestures == Gestures::hover ? HoverBand{0.015F, 0.2F} : HoverBand{0.002F, 0.02F};
 }
 
 /// From numbers of its own: what a hand wears changes no other draw.
@@ -68,7 +73,7 @@ HandScript::HandScript(const SimulatorConfig& config, const Workplace& place, in
       random_(config.seed, 0x4a4d0 + static_cast<std::uint64_t>(hand)),
       gestures_(config.gestures),
       shape_(draw_shape(config, place.half, hand, random_)),
-      planner_(place_, shape_, config.human_timing, config.gestures == Gestures::hover),
+      planner_(place_, shape_, config.human_timing, hover_band(config.gestures)),
       planned_until_s_(config.empty_s +
                        static_cast<double>(random_.uniform(0.05F, 0.4F) + 0.6F * static_cast<float>(hand))) {}
 

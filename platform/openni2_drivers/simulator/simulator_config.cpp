@@ -85,8 +85,10 @@ Sleeve parse_sleeve(std::string_view name) {
 }
 
 Gestures parse_gestures(std::string_view name) {
-    if (name == "all" || name == "hover") return name == "hover" ? Gestures::hover : Gestures::all;
-    refuse(fmt::format("key gestures must be all or hover, not '{}'", name));
+    constexpr Names<Gestures, 3> kinds{
+        {{"all", Gestures::all}, {"hover", Gestures::hover}, {"low", Gestures::low}}};
+    if (const auto gestures = find_name(kinds, name)) return *gestures;
+    refuse(fmt::format("key gestures must be all, hover or low, not '{}'", name));
 }
 
 /// What the keys of the object say together.

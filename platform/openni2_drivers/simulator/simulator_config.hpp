@@ -33,6 +33,7 @@ enum class Sleeve {
 enum class Gestures {
     all,
     hover,  ///< they move, strike and stop 15 to 200 mm above the surface, and never touch it
+    low,    ///< the same 2 to 20 mm above it
 };
 
 /// Whether hands touch a table in the scene.

@@ -189,6 +189,19 @@ TEST(HandScript, HandsThatOnlyHoverNeverTouch) {
     }
 }
 
+TEST(HandScript, HandsThatHoverLowAreAtEveryMillimetre) {
+    SimulatorConfig config = config_of(SimulatedScene::flat, 5);
+    config.gestures = Gestures::low;
+    const std::vector<float> gaps_m = gaps_of_a_minute(Table(config));
+    EXPECT_GE(*std::min_element(gaps_m.begin(), gaps_m.end()), 0.0019F);
+    const auto frames_in = [&](float least_m, float most_m) {
+        return std::count_if(gaps_m.begin(), gaps_m.end(),
+                             [&](float gap) { return gap >= least_m && gap < most_m; });
+    };
+    EXPECT_GE(frames_in(0.002F, 0.008F), 60);
+    EXPECT_GE(frames_in(0.008F, 0.014F), 60);
+}
+
 TEST(HandScript, ASleeveChangesNothingButTheArm) {
     SimulatorConfig config = config_of(SimulatedScene::flat, 2);
     const Table loose(config);

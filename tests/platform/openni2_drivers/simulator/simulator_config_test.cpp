@@ -62,8 +62,9 @@ TEST(SimulatorConfig, ReadsWhatHandsWearAndDo) {
     EXPECT_EQ(parse_simulator_uri("flat?sleeve=tight").sleeve, Sleeve::tight);
     EXPECT_EQ(parse_simulator_uri("flat?sleeve=drawn").sleeve, Sleeve::drawn);
     EXPECT_EQ(parse_simulator_uri("flat?gestures=hover").gestures, Gestures::hover);
+    EXPECT_EQ(parse_simulator_uri("flat?gestures=low").gestures, Gestures::low);
     EXPECT_THAT(refusal("flat?sleeve=wide"), testing::HasSubstr("loose, tight or drawn"));
-    EXPECT_THAT(refusal("flat?gestures=none"), testing::HasSubstr("all or hover"));
+    EXPECT_THAT(refusal("flat?gestures=none"), testing::HasSubstr("all, hover or low"));
     EXPECT_THAT(refusal("room?sleeve=tight"), testing::HasSubstr("not for the scene"));
 }
 
