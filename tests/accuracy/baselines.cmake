@@ -30,9 +30,22 @@ touchstone_test(baselines_test
         baselines/world_kit_test.cpp
     LIBRARIES touchstone_baselines)
 
-touchstone_library(touchstone_baseline_accuracy baseline_run.cpp touch_series.cpp)
-target_link_libraries(touchstone_baseline_accuracy PUBLIC touchstone_accuracy touchstone_baselines
-    touchstone_simulator)
+touchstone_library(touchstone_baseline_accuracy
+    bar_chart.cpp
+    baseline_run.cpp
+    evaluation.cpp
+    evaluation_chart.cpp
+    evaluation_table.cpp
+    touch_series.cpp)
+target_link_libraries(touchstone_baseline_accuracy
+    PUBLIC touchstone_accuracy touchstone_baselines touchstone_simulator
+    PRIVATE fmt::fmt)
 
-touchstone_test(baseline_run_test SOURCES baseline_run_test.cpp touch_series_test.cpp
-    LIBRARIES touchstone_baseline_accuracy LABELS accuracy)
+add_executable(score_baselines score_baselines.cpp)
+target_link_libraries(score_baselines PRIVATE touchstone_baseline_accuracy CLI11::CLI11 fmt::fmt)
+touchstone_warnings(score_baselines)
+
+touchstone_test(evaluation_test
+    SOURCES bar_chart_test.cpp evaluation_chart_test.cpp evaluation_table_test.cpp evaluation_test.cpp touch_series_test.cpp
+    LIBRARIES touchstone_baseline_accuracy)
+touchstone_test(baseline_run_test SOURCES baseline_run_test.cpp LIBRARIES touchstone_baseline_accuracy LABELS accuracy)

@@ -72,7 +72,8 @@ class Scorer {
     }
 
     void take_frame(int frame, const Tips& tips, const Touches& touches) {
-        for (const LoggedTouch& touch : touches) seen_.insert(touch.id);
+        for (const LoggedTouch& touch : touches)
+            seen_.try_emplace(touch.id, SpuriousTouch{touch.id, frame, touch.camera_mm});
         const Tips near = tips_within(tips, justified_gap_mm);
         const auto near_matches = match_touches(near, touches);
         for (const TouchMatch& match : near_matches) {
@@ -91,8 +92,9 @@ class Scorer {
 
     TouchScore result() {
         for (const Contact& contact : contacts_) take_contact(contact);
-        score_.spurious_ids = static_cast<int>(
-            std::count_if(seen_.begin(), seen_.end(), [&](int id) { return !justified_.contains(id); }));
+        for (const auto& [id, touch] : seen_)
+            if (!justified_.contains(id)) score_.spurious.push_back(touch);
+        score_.spurious_ids = static_cast<int>(score_.spurious.size());
         finish_hover();
         return std::move(score_);
     }
@@ -123,7 +125,11 @@ class Scorer {
         count(by_length, first.has_value());
         if (length >= 2) count(score_.of_two_and_more, first.has_value());
         if (contact.finger.second == 1) count(score_.second_fingers, first.has_value());
-        if (!first) return;
+        if (!first) {
+            score_.missed.push_back(
+                {contact.finger.first, contact.finger.second, contact.first, contact.last, contact.at_mm});
+            return;
+        }
         score_.late_frames.push_back(*first - contact.first);
         const int switches = static_cast<int>(ids.size()) - 1;
         score_.id_switches += switches;
@@ -178,7 +184,8 @@ class Scorer {
 
     std::vector<Contact> contacts_;
     std::map<Finger, std::vector<Hit>> hits_;
-    std::set<int> seen_, justified_;
+    std::map<int, SpuriousTouch> seen_;  ///< where each id began
+    std::set<int> justified_;
     std::array<HoverBin, hover_bins> hover_bins_{};
     TouchScore score_;
 };

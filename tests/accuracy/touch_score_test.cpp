@@ -56,6 +56,18 @@ TEST(TouchScore, ATouchWithoutAFingerNearItIsSpurious) {
     EXPECT_EQ(once_right.false_frames, 1);
 }
 
+TEST(TouchScore, NamesWhatIsMissedAndWhatIsSpurious) {
+    const TouchScore score =
+        score_touches(one_finger({9, 0, 0, 9, 9, 9, 9, 9}), {{6, {touch(5, 70.0)}}, {7, {touch(5, 71.0)}}});
+    ASSERT_EQ(score.missed.size(), 1U);
+    EXPECT_EQ(score.missed.front().first_frame, 1);
+    EXPECT_EQ(score.missed.front().last_frame, 2);
+    ASSERT_EQ(score.spurious.size(), 1U);
+    EXPECT_EQ(score.spurious.front().id, 5);
+    EXPECT_EQ(score.spurious.front().first_frame, 6);
+    EXPECT_EQ(score.spurious.front().camera_mm[0], 70.0);
+}
+
 TEST(TouchScore, PositionIsScoredWithinContacts) {
     const TouchScore score = score_touches(
         one_finger({0, 0, 5}), {{0, {touch(1, 3.0)}}, {1, {touch(1, -4.0)}}, {2, {touch(1, 20.0)}}});

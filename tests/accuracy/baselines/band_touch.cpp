@@ -32,7 +32,8 @@ Mask BandTouch::band(const DepthPicture& picture) const {
     Mask mask(picture.width_px, picture.height_px);
     for (std::size_t i = 0; i < mask.values.size(); ++i) {
         const float mm = height_mm(*background_, picture, i);
-        const bool high = mm >= config_.least_mm && mm > config_.least_sd * background_->sd_mm.values[i];
+        const float spread_mm = background_->sd_mm.values[i] + config_.added_sd_mm;
+        const bool high = mm >= config_.least_mm && mm > config_.least_sd * spread_mm;
         if (high && mm <= config_.most_mm) mask.values[i] = set_value;
     }
     return mask;
@@ -77,6 +78,14 @@ BandTouchConfig wilson_stat() {
     config.least_sd = 4.0F;
     config.most_mm = 19.999F;
     config.boxcar_kept_above = 100;
+    return config;
+}
+
+BandTouchConfig wilson_stat_for_steps() {
+    BandTouchConfig config = wilson_stat();
+    config.added_sd_mm = 1.0F;
+    config.boxcar_kept_above = 50;
+    config.least_px = 10;
     return config;
 }
 

@@ -15,6 +15,7 @@ struct BandTouchConfig {
     Kind background = Kind::one_frame;
     int background_frames = 1;    ///< of one_frame: the number of the frame, counted from 1
     float least_mm = 0.0F;        ///< lower end of the band, included
+    float added_sd_mm = 0.0F;     ///< to the background's spread
     float least_sd = 0.0F;        ///< and lower end in spreads of the background, not included
     float most_mm = 0.0F;         ///< upper end, included
     int boxcar_px = 1;            ///< side
@@ -48,5 +49,7 @@ BandTouchConfig wilson_max();
 BandTouchConfig wilson_stat();
 /// KinectTouch. Its blobs are measured by their contour there, by their pixels here.
 BandTouchConfig kinect_touch();
+/// Wilson's third with a spread that no pixel of a quantising sensor is below, and larger blobs.
+BandTouchConfig wilson_stat_for_steps();
 
 }  // namespace touchstone::baselines

@@ -34,6 +34,12 @@ TEST(BandTouch, TheStatisticOneAsksForFourSpreads) {
     EXPECT_FALSE(method.process(with_block(level_picture(), fingertip, 9)).empty());
 }
 
+TEST(BandTouch, TheTunedOneTakesNoStepForAFinger) {
+    EXPECT_FALSE(touches_at(wilson_stat_for_steps(), 4)) << "4 x (0 + 1) mm";
+    EXPECT_TRUE(touches_at(wilson_stat_for_steps(), 5));
+    EXPECT_FALSE(touches_at(wilson_stat_for_steps(), 20));
+}
+
 TEST(BandTouch, TheirBackgroundIsThatOfTheirFrames) {
     BandTouch single(wilson_single());
     for (int i = 1; i <= 30; ++i)

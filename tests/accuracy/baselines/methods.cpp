@@ -18,6 +18,9 @@ OmniTouchConfig kinect_omni_touch() {
 DirectDepthConfig kinect_direct_depth() {
     DirectDepthConfig config;
     config.background.stable_mm_m2 = 3.0F;
+    config.zones.noise_below_sd = 2.0F;
+    config.zones.low_below_mm = 16.0F;
+    config.touch_below_mm = 1.5F;
     return config;
 }
 
@@ -37,6 +40,7 @@ std::vector<Method> published_methods() {
 
 std::vector<Method> tuned_methods() {
     std::vector<Method> methods;
+    methods.push_back({"Wilson stat, tuned", std::make_unique<BandTouch>(wilson_stat_for_steps())});
     methods.push_back({"OmniTouch, tuned", std::make_unique<OmniTouch>(kinect_omni_touch())});
     methods.push_back({"DIRECT depth, tuned", std::make_unique<DirectDepth>(kinect_direct_depth())});
     return methods;
