@@ -38,24 +38,37 @@ double highest(const BarPanel& panel) {
     double most = panel.at_least;
     for (const auto& group : panel.bars)
         for (const double value : group) most = std::max(most, value);
-    return 1.12 * most;
+    return most;
 }
 
-std::string plot_command(const BarChart& chart, std::size_t panel) {
-    const std::vector<std::string>& series = chart.panels[panel].series;
+/// The value of a column, at least where the axis begins: a logarithmic one has no place for 0.
+std::string height_of(const BarPanel& panel, std::size_t column) {
+    return panel.log_from > 0.0 ? fmt::format("(${0}>{1}?${0}:{1})", column, panel.log_from)
+                                : fmt::format("(${})", column);
+}
+
+std::string plot_command(const BarPanel& panel, std::size_t number) {
     std::string command = "plot ";
-    const double step = 1.0 / (static_cast<double>(series.size()) + 1.0);
-    for (std::size_t i = 0; i < series.size(); ++i) {
+    const double count = static_cast<double>(panel.series.size()), step = 1.0 / (count + 1.0);
+    for (std::size_t i = 0; i < panel.series.size(); ++i) {
         const std::size_t column = i + 2;
-        const double aside = (static_cast<double>(i) - 0.5 * static_cast<double>(series.size() - 1)) * step;
-        command += fmt::format("{}$panel{} using {}{} title {} linecolor {}", i > 0 ? ", " : "", panel,
-                               column, i == 0 ? ":xtic(1)" : "", quoted(series[i]), i + 1);
+        const std::string height = height_of(panel, column);
+        const double aside = (static_cast<double>(i) - 0.5 * (count - 1.0)) * step;
+        command += fmt::format("{}$panel{} using {}{} title {} linecolor {}", i > 0 ? ", " : "", number,
+                               height, i == 0 ? ":xtic(1)" : "", quoted(panel.series[i]), i + 1);
         command += fmt::format(
-            ", $panel{} using ($0{:+.3f}):{}:(sprintf(\"%.1f\", ${})) with labels offset 0,0.6 font \",9\" "
+            ", $panel{} using ($0{:+.3f}):{}:(sprintf(\"%.4g\", ${})) with labels offset 0,0.6 font \",9\" "
             "notitle",
-            panel, aside, column, column);
+            number, aside, height, column);
     }
     return command + '\n';
+}
+
+std::string axis_command(const BarPanel& panel) {
+    const bool logarithmic = panel.log_from > 0.0;
+    return fmt::format("set ylabel {}\n{}\nset yrange [{}:{:.3f}]\n", quoted(panel.axis),
+                       logarithmic ? "set logscale y" : "unset logscale y", panel.log_from,
+                       (logarithmic ? 3.0 : 1.12) * highest(panel));
 }
 
 }  // namespace
@@ -69,11 +82,10 @@ std::string gnuplot_script(const BarChart& chart, const std::filesystem::path& p
         "set style data histogram\nset style histogram clustered gap 1\n"
         "set style fill solid 0.9 border -1\nset grid ytics\nset xtics rotate by -18 nomirror\n"
         "set linetype 1 linecolor rgb \"#2a6fbb\"\nset linetype 2 linecolor rgb \"#e08a2e\"\n"
-        "set key outside top right horizontal\nset multiplot layout {},1 title {}\n",
+        "set tmargin 3\nset key outside top right horizontal\nset multiplot layout {},1 title {}\n",
         wide_px, high_px, quoted(png.string()), chart.panels.size(), quoted(chart.title + "\n" + chart.note));
     for (std::size_t panel = 0; panel < chart.panels.size(); ++panel)
-        script += fmt::format("set ylabel {}\nset yrange [0:{:.3f}]\n{}", quoted(chart.panels[panel].axis),
-                              highest(chart.panels[panel]), plot_command(chart, panel));
+        script += axis_command(chart.panels[panel]) + plot_command(chart.panels[panel], panel);
     return script + "unset multiplot\n";
 }
 

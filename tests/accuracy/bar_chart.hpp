@@ -11,6 +11,7 @@ struct BarPanel {
     std::vector<std::string> series;        ///< names of the bars of a group
     std::vector<std::vector<double>> bars;  ///< for each group, one value for each series
     double at_least = 1.0;                  ///< the axis reaches this high, whatever the values
+    double log_from = 0.0;                  ///< where a logarithmic axis begins; 0 = linear, from 0
 };
 
 /// Panels one above the other, with the same groups.

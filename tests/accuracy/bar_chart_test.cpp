@@ -31,8 +31,17 @@ TEST(BarChart, TextIsQuotedForGnuplot) {
 
 TEST(BarChart, TheAxisStartsAtZeroAndHasRoomForTheHighestValue) {
     const std::string script = gnuplot_script(two_groups(), "/tmp/a.png");
-    EXPECT_THAT(script, HasSubstr("set ylabel \"found, %\"\nset yrange [0:112.000]"));
-    EXPECT_THAT(script, HasSubstr("set ylabel \"a minute\"\nset yrange [0:280.000]"));
+    EXPECT_THAT(script, HasSubstr("set ylabel \"found, %\"\nunset logscale y\nset yrange [0:112.000]"));
+    EXPECT_THAT(script, HasSubstr("set ylabel \"a minute\"\nunset logscale y\nset yrange [0:280.000]"));
+}
+
+TEST(BarChart, ALogarithmicAxisShowsZeroAsABarOfNoHeight) {
+    BarChart chart = two_groups();
+    chart.panels[1].log_from = 0.1;
+    const std::string script = gnuplot_script(chart, "/tmp/a.png");
+    EXPECT_THAT(script, HasSubstr("set logscale y\nset yrange [0.1:750.000]"));
+    EXPECT_THAT(script, HasSubstr("($2>0.1?$2:0.1):xtic(1)"));
+    EXPECT_THAT(script, HasSubstr("sprintf(\"%.4g\", $2)")) << "the label is the value itself";
 }
 
 TEST(BarChart, WritesAPngOrSaysWhatIsMissing) {

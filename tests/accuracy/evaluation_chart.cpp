@@ -16,7 +16,11 @@ double spurious_a_minute(const TouchScore& score) {
 BarChart evaluation_chart(const std::vector<MethodSeries>& contacts,
                           const std::vector<MethodSeries>& hovering, const std::string& measured) {
     BarPanel found{"contacts found, %", {"of two frames or more", "all, with taps of one frame"}, {}, 100.0};
-    BarPanel spurious{"spurious touches a minute", {"hands touch", "hands hover, none touches"}, {}, 1.0};
+    BarPanel spurious{"spurious touches a minute (log; no bar: 0)",
+                      {"hands touch", "hands hover, none touches"},
+                      {},
+                      1.0,
+                      0.1};
     BarChart chart{"Touch on simulated tables: Touchstone and published methods", measured, {}, {}};
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const auto& [method, series] = contacts[i];
