@@ -19,6 +19,8 @@ TEST(Blobs, RowsDoNotRunOnIntoTheNext) {
     Mask mask(6, 6);
     mask.at(5, 1) = mask.at(0, 2) = set_value;
     EXPECT_EQ(find_blobs(mask, 1).size(), 2U);
+    mask.at(0, 1) = set_value;
+    EXPECT_EQ(find_blobs(mask, 1).size(), 2U) << "neither way";
 }
 
 TEST(Blobs, SmallOnesAreLeftOut) {

@@ -29,6 +29,11 @@ TEST(Boxcar, OutsideThePictureNothingIsSet) {
     EXPECT_EQ(smooth.at(10, 0), set_value) << "28 of 49";
 }
 
+TEST(Boxcar, TheBoundItselfIsNotAboveIt) {
+    EXPECT_EQ(kept(boxcar(Mask(20, 20, set_value), 7, 255)), 0);
+    EXPECT_EQ(boxcar(Mask(20, 20, set_value), 7, 254).at(10, 10), set_value);
+}
+
 TEST(Boxcar, ASideOfOneChangesNothing) {
     Mask mask(9, 5);
     mask.at(8, 4) = set_value;
