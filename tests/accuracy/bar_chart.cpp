@@ -28,7 +28,7 @@ std::string data_block(const BarChart& chart, std::size_t panel) {
     std::string text = fmt::format("$panel{} << END\n", panel);
     for (std::size_t group = 0; group < chart.groups.size(); ++group) {
         text += quoted(chart.groups[group]);
-        for (const double value : chart.panels[panel].bars[group]) text += fmt::format(" {:.2f}", value);
+        for (const double value : chart.panels[panel].bars[group]) text += fmt::format(" {:.4f}", value);
         text += '\n';
     }
     return text + "END\n";

@@ -20,8 +20,8 @@ BarChart two_groups() {
 
 TEST(BarChart, EveryGroupHasALineOfItsValuesInEveryPanel) {
     const std::string script = gnuplot_script(two_groups(), "/tmp/a.png");
-    EXPECT_THAT(script, HasSubstr("$panel0 << END\n\"one\" 50.00 60.00\n\"two\" 99.50 100.00\nEND"));
-    EXPECT_THAT(script, HasSubstr("$panel1 << END\n\"one\" 0.00\n\"two\" 250.00\nEND"));
+    EXPECT_THAT(script, HasSubstr("$panel0 << END\n\"one\" 50.0000 60.0000\n\"two\" 99.5000 100.0000\nEND"));
+    EXPECT_THAT(script, HasSubstr("$panel1 << END\n\"one\" 0.0000\n\"two\" 250.0000\nEND"));
 }
 
 TEST(BarChart, TextIsQuotedForGnuplot) {
