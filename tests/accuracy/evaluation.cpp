@@ -33,9 +33,9 @@ const char* hands_of(HandPlay play) {
 }  // namespace
 
 std::string scene_of(const TableSequence& sequence) {
-    return fmt::format("{}?{}&seed={}&frames={}&empty=4&height={}&tilt={}&sleeve=drawn", sequence.surface,
-                       hands_of(sequence.hands), sequence.seed, sequence.frames, sequence.height_m,
-                       sequence.tilt_deg);
+    return fmt::format("{}?{}&seed={}&frames={}&empty=4&height={}&tilt={}&sleeve=drawn&drift={:d}",
+                       sequence.surface, hands_of(sequence.hands), sequence.seed, sequence.frames,
+                       sequence.height_m, sequence.tilt_deg, sequence.drift);
 }
 
 double drawn_tilt_deg(int seed) {

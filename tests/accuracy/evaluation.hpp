@@ -20,6 +20,8 @@ struct TableSequence {
     double height_m = 1.0;  ///< of the camera over the table
     double tilt_deg = 25.0;
     HandPlay hands = HandPlay::touching;
+    bool drift =
+        true;  ///< bands of columns wander by up to two steps of the sensor, as a warming Kinect's do
 };
 
 /// The sensor URI after `sim:`; sleeves are drawn from the seed.

@@ -21,6 +21,10 @@ TEST(Evaluation, ASequenceIsASceneOfTheSimulator) {
     EXPECT_EQ(config.empty_s, 4.0) << "the slowest background needs 100 frames";
     EXPECT_EQ(config.sleeve, Sleeve::drawn);
     EXPECT_TRUE(config.human_timing);
+    EXPECT_TRUE(config.drift);
+    TableSequence steady;
+    steady.drift = false;
+    EXPECT_FALSE(parse_simulator_uri(scene_of(steady)).drift);
 }
 
 TEST(Evaluation, HandsTouchHoverOrAreNotThere) {

@@ -20,6 +20,7 @@ struct Options {
     int frames = 900, first_seed = 101, seeds = 1;
     double ghost_height_m = 1.0;
     std::optional<double> tilt_deg;
+    bool steady = false;
     std::string plot;
 };
 
@@ -33,7 +34,8 @@ Evaluation run_seeds(const Options& options, const std::string& surface, double 
     Evaluation evaluation(options.program);
     for (int seed = options.first_seed; seed < options.first_seed + options.seeds; ++seed) {
         const double tilt_deg = options.tilt_deg.value_or(drawn_tilt_deg(seed));
-        const TableSequence sequence{surface, seed, options.frames, height_m, tilt_deg, hands};
+        const TableSequence sequence{surface,  seed,  options.frames, height_m,
+                                     tilt_deg, hands, !options.steady};
         std::fprintf(stderr, "sim:%s\n", scene_of(sequence).c_str());
         evaluation.add(sequence);
     }
@@ -98,6 +100,8 @@ Options read_options(CLI::App& app, Options& options) {
     app.add_option("--seeds", options.seeds, "number of seeds");
     app.add_option("--tilt", options.tilt_deg, "of the camera, degrees; else 0 to 40, drawn from the seed");
     app.add_option("--ghost-height", options.ghost_height_m, "of the camera where nothing touches, metres");
+    app.add_flag("--steady", options.steady,
+                 "a sensor whose columns do not drift, as backgrounds that are learnt once need");
     app.add_option("--plot", options.plot, "bar chart, PNG; needs gnuplot");
     return options;
 }
@@ -105,8 +109,8 @@ Options read_options(CLI::App& app, Options& options) {
 std::string measured(const Options& options) {
     const auto joined = [](const auto& values) { return fmt::format("{}", fmt::join(values, ", ")); };
     return fmt::format(
-        "Simulated Kinect v1; {}; camera {} m high, tilt {}; seeds {} to {}, {} frames each at 30 Hz",
-        joined(options.surfaces), joined(options.heights_m),
+        "Simulated Kinect v1{}; {}; camera {} m high, tilt {}; seeds {} to {}, {} frames each at 30 Hz",
+        options.steady ? " without drift" : "", joined(options.surfaces), joined(options.heights_m),
         options.tilt_deg ? fmt::format("{} degrees", *options.tilt_deg) : "0 to 40 degrees by seed",
         options.first_seed, options.first_seed + options.seeds - 1, options.frames);
 }
