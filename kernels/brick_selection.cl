@@ -1,7 +1,7 @@
 /* Which bricks a depth picture touches, and which part of the picture a brick covers: no rays, no holes. */
 
 /* The depths that are integrated: 0 where the sample's weight is 0. */
-inline float8 load_weighted8(__global const float* depth_m, __global const uchar* sample_weights, const int at) {
+INLINE float8 load_weighted8(__global const float* depth_m, __global const uchar* sample_weights, const int at) {
     return select((float8)(0.0f), vload8(0, depth_m + at), convert_int8(vload8(0, sample_weights + at)) != 0);
 }
 
@@ -32,11 +32,11 @@ typedef struct BrickView {
 } BrickView;
 
 /* Half the extent along one camera axis of a cube of the global frame with half-side h. */
-inline float half_extent(const float4 row, const float h) { return h * (fabs(row.x) + fabs(row.y) + fabs(row.z)); }
+INLINE float half_extent(const float4 row, const float h) { return h * (fabs(row.x) + fabs(row.y) + fabs(row.z)); }
 
 /* Depth range and tiles of the box around a brick, parallel to the camera's axes and grown by margin_m. A brick that
  * reaches the camera is left out. */
-inline BrickView view_brick(const int brick, const VolumeParams volume, const Intrinsics k, const MapShape shape,
+INLINE BrickView view_brick(const int brick, const VolumeParams volume, const Intrinsics k, const MapShape shape,
                             const Pose T_c_g, const float margin_m) {
     const int n = volume.bricks_per_side;
     const float side_m = volume.voxel_m * BRICK_VOX;
@@ -63,7 +63,7 @@ inline BrickView view_brick(const int brick, const VolumeParams volume, const In
 }
 
 /* How many pixels of a tile that the brick covers have a depth within low_m to high_m. */
-inline int count_depths_within(__global const float* depth_m, __global const uchar* sample_weights, const MapShape shape,
+INLINE int count_depths_within(__global const float* depth_m, __global const uchar* sample_weights, const MapShape shape,
                                const int tx, const int ty, const int4 pixels, const float low_m, const float high_m) {
     const int x0 = max(tx * TILE_PX, pixels.x & ~7), x1 = min(tx * TILE_PX + TILE_PX - 1, pixels.y);
     const int y0 = max(ty * TILE_PX, pixels.z), y1 = min(ty * TILE_PX + TILE_PX - 1, pixels.w);

@@ -2,7 +2,7 @@
  * running average. A colour is one uint: red, green, blue, weight (0 = none) from the lowest byte up. */
 
 /* Depths at columns x + dx ... of a row; beyond its ends the last one again. */
-inline float8 load_shifted8(__global const float* row, const int x, const int dx, const MapShape shape) {
+INLINE float8 load_shifted8(__global const float* row, const int x, const int dx, const MapShape shape) {
     const int first = x + dx;
     if (first >= 0 && first + 8 <= shape.pitch_px) return vload8(0, row + first);
     return gather8(row, clamp((int8)(first) + convert_int8(lanes8()), 0, shape.pitch_px - 1));
@@ -33,7 +33,7 @@ __kernel void color_weights(__global const float* depth_m, __global const float*
     vstore8(convert_uchar8(convert_int8_rte(select((float8)(0.0f), weight, used))), 0, weights + at);
 }
 
-inline int8 is_near_surface8(const int8 voxel, const VolumeParams volume, const float band_m) {
+INLINE int8 is_near_surface8(const int8 voxel, const VolumeParams volume, const float band_m) {
     return (voxel_weight8(voxel) > 0) & (fabs(voxel_tsdf8(voxel)) * volume.max_truncation_m < band_m);
 }
 
@@ -45,10 +45,10 @@ __kernel void find_surface_bricks(__global const int* slots, __global const int*
     if (any(is_near_surface8(voxel, volume, params.band_vox * volume.voxel_m))) flags[brick] = 1;
 }
 
-inline float8 gather_channel8(__global const uchar* rgb, const int8 at) { return convert_float8(gather_uchar8(rgb, at)); }
+INLINE float8 gather_channel8(__global const uchar* rgb, const int8 at) { return convert_float8(gather_uchar8(rgb, at)); }
 
 /* The old average of one channel counts at most seven times as much as the sample: 8 bits cannot hold smaller steps. */
-inline uint8 average_channel8(const uint8 old, const int shift, const float8 sample, const float8 old_weight, const float8 weight) {
+INLINE uint8 average_channel8(const uint8 old, const int shift, const float8 sample, const float8 old_weight, const float8 weight) {
     const float8 value = convert_float8((old >> (uint8)(shift)) & (uint8)(0xff));
     const float8 average = (value * old_weight + sample * weight) / (old_weight + weight);
     return convert_uint8(convert_int8_rte(average)) << (uint8)(shift);

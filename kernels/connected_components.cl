@@ -2,20 +2,20 @@
  * connected when both are members and their depths differ by less than a gap. Union-find over map indices: labels only
  * decrease, a root is its own label and the first pixel of its component, row by row. */
 
-inline int8 connected8(const ConnectionParams params, const float8 a_m, const float8 b_m) {
+INLINE int8 connected8(const ConnectionParams params, const float8 a_m, const float8 b_m) {
     const float8 z = fmin(a_m, b_m);
     return fabs(a_m - b_m) < fmax(params.gap_sigmas * sigma_z8(params.noise, z), params.gap_per_m * z);
 }
 
 /* -1 in each lane that is connected to the lane before it; before_* is the pixel left of the first lane. */
-inline int8 connected_to_left8(const ConnectionParams params, const float8 z, const int8 member, const float before_m,
+INLINE int8 connected_to_left8(const ConnectionParams params, const float8 z, const int8 member, const float before_m,
                                const int before_member) {
     const float8 left_m = (float8)(before_m, z.s0123, z.s45, z.s6);
     const int8 left_member = (int8)(before_member, member.s0123, member.s45, member.s6);
     return member & left_member & connected8(params, z, left_m);
 }
 
-inline int find_root(volatile __global int* labels, int i) {
+INLINE int find_root(volatile __global int* labels, int i) {
     int parent = labels[i];
     while (parent != i) {
         i = parent;
@@ -24,7 +24,7 @@ inline int find_root(volatile __global int* labels, int i) {
     return i;
 }
 
-inline void unite(volatile __global int* labels, int a, int b) {
+INLINE void unite(volatile __global int* labels, int a, int b) {
     while (true) {
         a = find_root(labels, a);
         b = find_root(labels, b);
@@ -105,7 +105,7 @@ __kernel void list_roots(volatile __global int* labels, __global int* places, __
     }
 }
 
-inline void add_sums(__global ComponentSums* to, const ComponentSums s) {
+INLINE void add_sums(__global ComponentSums* to, const ComponentSums s) {
     atomic_add(&to->pixels, s.pixels);
     if (s.seeds) atomic_add(&to->seeds, s.seeds);
     if (s.unknowns) atomic_add(&to->unknowns, s.unknowns);

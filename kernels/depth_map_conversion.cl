@@ -17,14 +17,14 @@ __kernel void convert_depth(__global const ushort* depth_mm, __global float* dep
     vstore8(select((float8)(0.0f), z, valid), 0, depth_m + y * shape.pitch_px + x);
 }
 
-inline float8 compact_gauss8(const float8 e) {
+INLINE float8 compact_gauss8(const float8 e) {
     float8 w = fmax(1.0f - e * 0.125f, 0.0f);
     w *= w;
     w *= w;
     return w * w;
 }
 
-inline float8 load_or_zero8(__global const float* row, const int x, const MapShape shape) {
+INLINE float8 load_or_zero8(__global const float* row, const int x, const MapShape shape) {
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (float8)(0.0f);
 }
 
@@ -56,7 +56,7 @@ __kernel void bilateral_filter(__global const float* depth_m, __global float* fi
 
 /* The difference of the neighbours on one axis, or of one neighbour and the pixel where the other is missing or more
  * than gap_m away. ok: -1 where there is one. */
-inline Points8 neighbour_difference8(const Points8 before, const Points8 here, const Points8 after, const float8 gap_m,
+INLINE Points8 neighbour_difference8(const Points8 before, const Points8 here, const Points8 after, const float8 gap_m,
                                      int8* ok) {
     const int8 has_before = (before.z > 0.0f) & (fabs(before.z - here.z) < gap_m);
     const int8 has_after = (after.z > 0.0f) & (fabs(after.z - here.z) < gap_m);

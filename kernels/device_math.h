@@ -2,13 +2,16 @@
 #ifndef TOUCHSTONE_DEVICE_MATH_H
 #define TOUCHSTONE_DEVICE_MATH_H
 
+/* Without the attribute PoCL calls: integration takes 9.0 instead of 5.7 ms. */
+#define INLINE static inline __attribute__((always_inline))
+
 typedef struct Points8 {
     float8 x, y, z;
 } Points8;
 
-inline float8 lanes8(void) { return (float8)(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f); }
+INLINE float8 lanes8(void) { return (float8)(0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f); }
 
-inline Points8 transform_points8(const Pose T, const Points8 p) {
+INLINE Points8 transform_points8(const Pose T, const Points8 p) {
     Points8 r;
     r.x = T.row_x.x * p.x + (T.row_x.y * p.y + (T.row_x.z * p.z + T.row_x.w));
     r.y = T.row_y.x * p.x + (T.row_y.y * p.y + (T.row_y.z * p.z + T.row_y.w));
@@ -16,7 +19,7 @@ inline Points8 transform_points8(const Pose T, const Points8 p) {
     return r;
 }
 
-inline Points8 rotate_vectors8(const Pose T, const Points8 p) {
+INLINE Points8 rotate_vectors8(const Pose T, const Points8 p) {
     Points8 r;
     r.x = T.row_x.x * p.x + (T.row_x.y * p.y + T.row_x.z * p.z);
     r.y = T.row_y.x * p.x + (T.row_y.y * p.y + T.row_y.z * p.z);
@@ -25,7 +28,7 @@ inline Points8 rotate_vectors8(const Pose T, const Points8 p) {
 }
 
 /* K^-1 [u, 1] for the eight pixels that start at (x, y): z = 1. */
-inline Points8 pixel_rays8(const Intrinsics k, const int x, const int y) {
+INLINE Points8 pixel_rays8(const Intrinsics k, const int x, const int y) {
     Points8 r;
     r.x = (lanes8() + ((float)x - k.cx_px)) / k.fx_px;
     r.y = (float8)(((float)y - k.cy_px) / k.fy_px);
@@ -34,7 +37,7 @@ inline Points8 pixel_rays8(const Intrinsics k, const int x, const int y) {
 }
 
 /* v(u) = D(u) K^-1 [u, 1] */
-inline Points8 back_project8(const Intrinsics k, const int x, const int y, const float8 depth_m) {
+INLINE Points8 back_project8(const Intrinsics k, const int x, const int y, const float8 depth_m) {
     Points8 r = pixel_rays8(k, x, y);
     r.x *= depth_m;
     r.y *= depth_m;
@@ -42,16 +45,16 @@ inline Points8 back_project8(const Intrinsics k, const int x, const int y, const
     return r;
 }
 
-inline float8 dot8(const Points8 a, const Points8 b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
+INLINE float8 dot8(const Points8 a, const Points8 b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
 
-inline float sum8(const float8 v) {
+INLINE float sum8(const float8 v) {
     const float4 a = v.lo + v.hi;
     const float2 b = a.lo + a.hi;
     return b.x + b.y;
 }
 
 /* The nearest pixel of each camera point as an index into a map, or -1 where it falls outside the picture. */
-inline int8 project_to_index8(const Intrinsics k, const MapShape shape, const Points8 p_c) {
+INLINE int8 project_to_index8(const Intrinsics k, const MapShape shape, const Points8 p_c) {
     const int8 ahead = p_c.z > 0.05f;
     const float8 inverse_z = 1.0f / select((float8)(1.0f), p_c.z, ahead);
     const float8 u = p_c.x * inverse_z * k.fx_px + (k.cx_px + 0.5f);
@@ -63,25 +66,25 @@ inline int8 project_to_index8(const Intrinsics k, const MapShape shape, const Po
 }
 
 /* Values of a map at eight indices; 0 where the index is negative. */
-inline float8 gather8(__global const float* map, const int8 index) {
+INLINE float8 gather8(__global const float* map, const int8 index) {
     const int8 i = max(index, 0);
     const float8 values = (float8)(map[i.s0], map[i.s1], map[i.s2], map[i.s3], map[i.s4], map[i.s5], map[i.s6], map[i.s7]);
     return select((float8)(0.0f), values, index >= 0);
 }
 
-inline int8 gather_int8(__global const int* map, const int8 index) {
+INLINE int8 gather_int8(__global const int* map, const int8 index) {
     const int8 i = max(index, 0);
     const int8 values = (int8)(map[i.s0], map[i.s1], map[i.s2], map[i.s3], map[i.s4], map[i.s5], map[i.s6], map[i.s7]);
     return select((int8)(-1), values, index >= 0);
 }
 
-inline uchar8 gather_uchar8(__global const uchar* map, const int8 index) {
+INLINE uchar8 gather_uchar8(__global const uchar* map, const int8 index) {
     const int8 i = max(index, 0);
     return (uchar8)(map[i.s0], map[i.s1], map[i.s2], map[i.s3], map[i.s4], map[i.s5], map[i.s6], map[i.s7]);
 }
 
 /* Axial noise of the sensor for a surface that faces it. */
-inline float8 sigma_z8(const SensorNoise noise, const float8 depth_m) {
+INLINE float8 sigma_z8(const SensorNoise noise, const float8 depth_m) {
     const float8 from_offset = depth_m - noise.offset_m;
     return noise.constant_m + noise.quadratic * from_offset * from_offset;
 }

@@ -38,7 +38,7 @@ __kernel void take_live(__global const uchar* mask, __global const float* live_m
 }
 
 /* Whether a pixel of the component is at most two pixels away. */
-inline int8 is_beside8(__global const int* labels, const MapShape shape, const int x, const int y, const int label) {
+INLINE int8 is_beside8(__global const int* labels, const MapShape shape, const int x, const int y, const int label) {
     int8 beside = (int8)(0);
     if (x < 8 || x + 16 > shape.pitch_px || y < 2 || y + 2 >= shape.rows_px) return beside;
     for (int j = -2; j <= 2; ++j)

@@ -2,19 +2,19 @@
  * integration leaves out, and what was last seen where the volume has no surface. */
 
 /* k standard deviations of depth around each depth of a surface that faces the camera. */
-inline float8 depth_tolerance8(const CandidateParams params, const float8 z) {
+INLINE float8 depth_tolerance8(const CandidateParams params, const float8 z) {
     const float8 sigma = sigma_z8(params.noise, z), step = params.quantisation_per_m * z * z;
     return params.sigmas_high * sqrt(sigma * sigma + step * step);
 }
 
-inline float8 load_or_zero8(__global const float* row, const int x, const MapShape shape) {
+INLINE float8 load_or_zero8(__global const float* row, const int x, const MapShape shape) {
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (float8)(0.0f);
 }
 
-inline float8 nearer8(const float8 nearest, const float8 z) { return select(nearest, fmin(nearest, z), z > 0.0f); }
+INLINE float8 nearer8(const float8 nearest, const float8 z) { return select(nearest, fmin(nearest, z), z > 0.0f); }
 
 /* Nearest surface of the model within two pixels; FLT_MAX where there is none. */
-inline float8 nearest_around8(__global const float* model_m, const int x, const int y, const MapShape shape) {
+INLINE float8 nearest_around8(__global const float* model_m, const int x, const int y, const MapShape shape) {
     float8 nearest = (float8)(FLT_MAX);
     for (int j = max(y - 2, 0); j <= min(y + 2, shape.rows_px - 1); ++j) {
         __global const float* row = model_m + j * shape.pitch_px;
@@ -56,12 +56,12 @@ __kernel void mark_candidates(__global const uchar* codes, __global const float*
     vstore8(convert_uchar8(member), 0, members + at);
 }
 
-inline uchar8 load_bytes_or_zero8(__global const uchar* row, const int x, const MapShape shape) {
+INLINE uchar8 load_bytes_or_zero8(__global const uchar* row, const int x, const MapShape shape) {
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (uchar8)(0);
 }
 
 /* Members with MEMBER_EXPECTED where `held` is at least least_held. */
-inline uchar8 with_expected8(const uchar8 member, const uchar8 held, const uchar least_held) {
+INLINE uchar8 with_expected8(const uchar8 member, const uchar8 held, const uchar least_held) {
     const char8 expected = (member != (uchar8)(0)) & (held >= (uchar8)(least_held));
     return select(member, member | (uchar8)(MEMBER_EXPECTED), expected);
 }
@@ -105,7 +105,7 @@ __kernel void widen_rows(__global const uchar* mask, __global uchar* wide, const
     vstore8(result, 0, wide + at + x);
 }
 
-inline uchar8 rows_since8(const uchar8 distance, const uchar8 mask) {
+INLINE uchar8 rows_since8(const uchar8 distance, const uchar8 mask) {
     return select(add_sat(distance, (uchar8)(1)), (uchar8)(0), mask != (uchar8)(0));
 }
 

@@ -34,7 +34,7 @@ __kernel void leave_out(__global const float* depth_m, __global const uchar* mas
 }
 
 /* Adds w J^T (J, r) of eight pixels, J = (p x d, d) with p from the centre of the twist, and their statistics. */
-inline void add_rows8(float8* total, const Points8 p, const Points8 d, const float8 r, const float8 w) {
+INLINE void add_rows8(float8* total, const Points8 p, const Points8 d, const float8 r, const float8 w) {
     const float8 j[6] = {p.y * d.z - p.z * d.y, p.z * d.x - p.x * d.z, p.x * d.y - p.y * d.x, d.x, d.y, d.z};
     int k = 0;
     for (int a = 0; a < 6; ++a) {
@@ -49,7 +49,7 @@ inline void add_rows8(float8* total, const Points8 p, const Points8 d, const flo
     total[ALIGNMENT_STATISTICS + 5] += counts * r * r;
 }
 
-inline Points8 from_centre8(const Points8 v, const float4 centre) {
+INLINE Points8 from_centre8(const Points8 v, const float4 centre) {
     Points8 p;
     p.x = v.x - centre.x;
     p.y = v.y - centre.y;

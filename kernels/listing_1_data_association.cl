@@ -3,14 +3,14 @@
  * in p, so the model's vertex needs no transform. The distance test is in 1/z, the sensor's own unit. */
 
 /* Variance of 1/z of a surface seen at the angle theta. 2 tan^2 stands for (theta / (pi/2 - theta))^2. */
-inline float8 variance_inverse_depth8(const AssociationParams params, const float8 z, const float8 cos_theta) {
+INLINE float8 variance_inverse_depth8(const AssociationParams params, const float8 z, const float8 cos_theta) {
     const float8 cos2 = fmax(cos_theta * cos_theta, 0.01f);
     const float8 grazing = params.noise.grazing * rsqrt(z) * 2.0f * (1.0f - cos2) / cos2;
     const float8 sigma = (sigma_z8(params.noise, z) + grazing) / (z * z);
     return sigma * sigma + params.quantisation_per_m * params.quantisation_per_m;
 }
 
-inline Points8 load_or_gather_points8(__global const float* planes, const int at, const int plane, const int8 pixel,
+INLINE Points8 load_or_gather_points8(__global const float* planes, const int at, const int plane, const int8 pixel,
                                       const int aligned) {
     Points8 p;
     if (aligned) {

@@ -4,7 +4,7 @@
 /* Behind the surface a sample is a measurement as far as its noise reaches, at least a voxel; deeper it is a guess, as nobody
  * knows how thick a thing is, and weighs 1 from twice as deep on. Free space weighs 1, too: what is seen past a thin thing's
  * edge must not wear it away. */
-inline int8 weight_along_ray8(const int8 weight, const float8 sdf_m, const float8 guess_m, const int8 is_free) {
+INLINE int8 weight_along_ray8(const int8 weight, const float8 sdf_m, const float8 guess_m, const int8 is_free) {
     const float8 share = clamp(2.0f + sdf_m / guess_m, 0.0f, 1.0f);
     return select(max(convert_int8_rte(convert_float8(weight) * share), 1), (int8)(1), is_free);
 }
@@ -16,7 +16,7 @@ typedef struct Sight8 {
     float8 measured_m, lambda; /* lambda: the ray's length over its depth */
 } Sight8;
 
-inline Sight8 see_voxels8(__global const float* depth_m, const int brick, const int row, const VolumeParams volume,
+INLINE Sight8 see_voxels8(__global const float* depth_m, const int brick, const int row, const VolumeParams volume,
                           const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const int n = volume.bricks_per_side;
     Points8 v_g;
@@ -73,7 +73,7 @@ __kernel void integrate(__global const int* slots, __global const int* brick_of_
 
 /* Depth between the four pixels around each point where they are of one surface, within ONE_SURFACE_PER_M z of each other; else
  * the nearest pixel's. Without it what moves across the pixels' grid is rough by the slope times half a pixel. */
-inline float8 measure_between8(__global const float* depth_m, const Sight8 sight, const Intrinsics k,
+INLINE float8 measure_between8(__global const float* depth_m, const Sight8 sight, const Intrinsics k,
                                const MapShape shape) {
     const float8 inverse_z = 1.0f / select((float8)(1.0f), sight.v_c.z, sight.pixel >= 0);
     const float8 u = sight.v_c.x * inverse_z * k.fx_px + k.cx_px, v = sight.v_c.y * inverse_z * k.fy_px + k.cy_px;

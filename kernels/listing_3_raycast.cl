@@ -7,7 +7,7 @@ typedef struct Crossing8 {
     int8 found;
 } Crossing8;
 
-inline Points8 ray_points8(const Points8 origin, const Points8 direction, const float8 t) {
+INLINE Points8 ray_points8(const Points8 origin, const Points8 direction, const float8 t) {
     Points8 p;
     p.x = origin.x + direction.x * t;
     p.y = origin.y + direction.y * t;
@@ -17,7 +17,7 @@ inline Points8 ray_points8(const Points8 origin, const Points8 direction, const 
 
 /* Walks rays in voxel units from t to end until the TSDF changes from positive to negative. Unknown voxels never make
  * a crossing; from negative to positive means that the ray comes from behind: it ends. */
-inline Crossing8 walk8(__global const int* table, __global const int* pool, const VolumeParams volume,
+INLINE Crossing8 walk8(__global const int* table, __global const int* pool, const VolumeParams volume,
                        const Points8 origin, const Points8 direction, const float8 voxel_step, const float start,
                        const float end) {
     Crossing8 crossing;
@@ -55,7 +55,7 @@ inline Crossing8 walk8(__global const int* table, __global const int* pool, cons
 /* From the walk's crossing to the zero of the trilinear TSDF by Newton steps along the ray, whose slope the sample's
  * gradient gives; a step is at most a voxel. Rays that have come to a tenth of a voxel rest; -1 in ok where in the end the
  * surface is at most half a voxel away. */
-inline float8 refine8(__global const int* table, __global const int* pool, const VolumeParams volume,
+INLINE float8 refine8(__global const int* table, __global const int* pool, const VolumeParams volume,
                       const Points8 origin, const Points8 direction, const float8 voxel_step, const Crossing8 c,
                       Points8* gradient, int8* ok) {
     const float tolerance = 0.1f * volume.voxel_m / volume.max_truncation_m;

@@ -9,7 +9,7 @@ typedef struct Surface8 {
 } Surface8;
 
 /* The background at eight map indices; unknown where the index is negative or nothing was predicted. */
-inline Surface8 gather_surface8(__global const float* depth_m, __global const float* normals_c, const Intrinsics k,
+INLINE Surface8 gather_surface8(__global const float* depth_m, __global const float* normals_c, const Intrinsics k,
                                 const MapShape shape, const int8 pixel) {
     const int plane = shape.pitch_px * shape.rows_px;
     const int8 row = max(pixel, 0) / shape.pitch_px, column = max(pixel, 0) - row * shape.pitch_px;
@@ -26,7 +26,7 @@ inline Surface8 gather_surface8(__global const float* depth_m, __global const fl
 
 /* Where a lane of s is unknown, the first known surface among four pixels around: holes of the prediction are narrow and
  * lie along edges. */
-inline Surface8 fill_from_around8(const Surface8 s, __global const float* depth_m, __global const float* normals_c,
+INLINE Surface8 fill_from_around8(const Surface8 s, __global const float* depth_m, __global const float* normals_c,
                                   const Intrinsics k, const MapShape shape, const int8 pixel, const int8 wanted) {
     const int2 offsets[4] = {(int2)(HOLE_PX, 0), (int2)(-HOLE_PX, 0), (int2)(0, HOLE_PX), (int2)(0, -HOLE_PX)};
     Surface8 filled = s;
@@ -43,12 +43,12 @@ inline Surface8 fill_from_around8(const Surface8 s, __global const float* depth_
     return filled;
 }
 
-inline float8 height_over8(const Surface8 s, const Points8 v) {
+INLINE float8 height_over8(const Surface8 s, const Points8 v) {
     return (v.x - s.v.x) * s.n.x + ((v.y - s.v.y) * s.n.y + (v.z - s.v.z) * s.n.z);
 }
 
 /* The pixel of the foot point of v on the tangent plane of s. */
-inline int8 foot_pixel8(const Surface8 s, const Points8 v, const float8 height_m, const Intrinsics k,
+INLINE int8 foot_pixel8(const Surface8 s, const Points8 v, const float8 height_m, const Intrinsics k,
                         const MapShape shape) {
     Points8 foot;
     foot.x = v.x - height_m * s.n.x;

@@ -7,7 +7,7 @@
 #define WINDOW_LEVELS 7
 #define WINDOW_SLACK 64
 
-inline int window_map(const MapShape shape, const int level) {
+INLINE int window_map(const MapShape shape, const int level) {
     return level * (shape.pitch_px * shape.rows_px + WINDOW_SLACK);
 }
 
@@ -32,7 +32,7 @@ __kernel void double_windows(__global float* windows_m, const MapShape shape, co
 
 /* Nearest depth in squares of the picture around (u, v); 0 where a square is not all in the picture, too large, or has a pixel
  * without depth. Four windows cover a square. */
-inline float8 nearest_in_square8(__global const float* windows_m, const MapShape shape, const float8 u, const float8 v,
+INLINE float8 nearest_in_square8(__global const float* windows_m, const MapShape shape, const float8 u, const float8 v,
                                  const float8 reach_px, const int8 judged) {
     const int8 inside = judged & (u - reach_px >= 0.0f) & (v - reach_px >= 0.0f) & (reach_px < 31.0f) &
                         (u + reach_px < (float)shape.width_px) & (v + reach_px < (float)shape.height_px);
@@ -82,7 +82,7 @@ __kernel void remember_free_space(__global const float* depth_m, __global const 
     vstore8(convert_uchar8(select(less, min(old + 1, most_frames), free)), 0, counts);
 }
 
-inline int8 in_free_space8(__global const uchar* seen_free, const float cell_m, const int n, const int enough_frames,
+INLINE int8 in_free_space8(__global const uchar* seen_free, const float cell_m, const int n, const int enough_frames,
                            const Points8 p_g) {
     const float8 x = p_g.x / cell_m, y = p_g.y / cell_m, z = p_g.z / cell_m;
     const float side = (float)n;

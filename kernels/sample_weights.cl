@@ -1,18 +1,18 @@
 /* How much each pixel's depth counts in Listing 2: 0 = not at all, else 1 to `most`, proportional to the inverse variance. */
 
-inline float8 load_or_zero8(__global const float* row, const int x, const MapShape shape) {
+INLINE float8 load_or_zero8(__global const float* row, const int x, const MapShape shape) {
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (float8)(0.0f);
 }
 
 /* Between the two sides of a depth edge, on neither of them: one neighbour is nearer by the gap, the other farther. */
-inline int8 flies8(const float8 before, const float8 here, const float8 after, const float8 gap_m) {
+INLINE int8 flies8(const float8 before, const float8 here, const float8 after, const float8 gap_m) {
     const int8 falls = (before < here - gap_m) & (after > here + gap_m);
     const int8 rises = (before > here + gap_m) & (after < here - gap_m);
     return (falls | rises) & (before > 0.0f) & (after > 0.0f);
 }
 
 /* Variance of the depth relative to that of a surface at the reference depth that faces the camera. */
-inline float8 relative_variance8(const SampleWeightParams params, const float8 z, const float8 cos_theta) {
+INLINE float8 relative_variance8(const SampleWeightParams params, const float8 z, const float8 cos_theta) {
     const float8 cos2 = fmax(cos_theta * cos_theta, 0.01f);
     // 2 tan^2 stands for (theta / (pi/2 - theta))^2.
     const float8 sigma_m = sigma_z8(params.noise, z) + params.noise.grazing * rsqrt(z) * 2.0f * (1.0f - cos2) / cos2;

@@ -5,14 +5,14 @@ typedef struct Colour8 {
     float8 r, g, b;
 } Colour8;
 
-inline Points8 load_normals8(__global const float* normals, const MapShape shape, const int at) {
+INLINE Points8 load_normals8(__global const float* normals, const MapShape shape, const int at) {
     const int plane = shape.pitch_px * shape.rows_px;
     const Points8 n = {vload8(0, normals + at), vload8(0, normals + plane + at), vload8(0, normals + 2 * plane + at)};
     return n;
 }
 
 /* Phong: ambient, diffuse and specular terms for a light that stands still in the camera frame. */
-inline Colour8 phong8(const Points8 n, const Points8 ray_c, const float4 base, const float4 light) {
+INLINE Colour8 phong8(const Points8 n, const Points8 ray_c, const float4 base, const float4 light) {
     const float8 diffuse = fmax(-(n.x * light.x + n.y * light.y + n.z * light.z), 0.0f);
     const float8 facing = fmax(-dot8(n, ray_c) * rsqrt(dot8(ray_c, ray_c)), 0.0f);
     float8 shine = facing * diffuse;
@@ -22,22 +22,22 @@ inline Colour8 phong8(const Points8 n, const Points8 ray_c, const float4 base, c
     return c;
 }
 
-inline Colour8 choose8(const Colour8 otherwise, const Colour8 where_set, const int8 mask) {
+INLINE Colour8 choose8(const Colour8 otherwise, const Colour8 where_set, const int8 mask) {
     const Colour8 c = {select(otherwise.r, where_set.r, mask), select(otherwise.g, where_set.g, mask),
                        select(otherwise.b, where_set.b, mask)};
     return c;
 }
 
-inline uint8 to_byte8(const float8 value) { return convert_uint8_rte(clamp(value, 0.0f, 1.0f) * 255.0f); }
+INLINE uint8 to_byte8(const float8 value) { return convert_uint8_rte(clamp(value, 0.0f, 1.0f) * 255.0f); }
 
 /* Alpha 0 on the foreground. */
-inline uint8 pack_rgba8(const Colour8 colour, const int8 moving) {
+INLINE uint8 pack_rgba8(const Colour8 colour, const int8 moving) {
     const uint8 alpha = select((uint8)(255u), (uint8)(0u), as_uint8(moving));
     return to_byte8(colour.r) | (to_byte8(colour.g) << 8) | (to_byte8(colour.b) << 16) | (alpha << 24);
 }
 
 /* A normal that is missing faces the camera. */
-inline Points8 load_facing8(__global const float* normals, const MapShape shape, const int at) {
+INLINE Points8 load_facing8(__global const float* normals, const MapShape shape, const int at) {
     const Points8 n = load_normals8(normals, shape, at);
     const int8 has_normal = dot8(n, n) > 0.0f;
     const Points8 shown = {select((float8)(0.0f), n.x, has_normal), select((float8)(0.0f), n.y, has_normal),

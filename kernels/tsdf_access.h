@@ -2,16 +2,16 @@
 #ifndef TOUCHSTONE_TSDF_ACCESS_H
 #define TOUCHSTONE_TSDF_ACCESS_H
 
-inline float8 voxel_tsdf8(const int8 voxel) { return convert_float8((voxel << 16) >> 16) * (1.0f / TSDF_SCALE); }
-inline int8 voxel_weight8(const int8 voxel) { return (voxel >> 16) & 0xff; }
+INLINE float8 voxel_tsdf8(const int8 voxel) { return convert_float8((voxel << 16) >> 16) * (1.0f / TSDF_SCALE); }
+INLINE int8 voxel_weight8(const int8 voxel) { return (voxel >> 16) & 0xff; }
 
-inline int8 pack_voxels8(const float8 tsdf, const int8 weight, const int8 change) {
+INLINE int8 pack_voxels8(const float8 tsdf, const int8 weight, const int8 change) {
     const int8 value = convert_int8_rte(clamp(tsdf, -1.0f, 1.0f) * TSDF_SCALE);
     return (value & 0xffff) | (weight << 16) | (change << 24);
 }
 
 /* Voxels of eight cells (whole-number voxel coordinates); 0, that is unknown, outside the cube and in absent bricks. */
-inline int8 read_voxels8(__global const int* table, __global const int* pool, const VolumeParams volume, const int8 x,
+INLINE int8 read_voxels8(__global const int* table, __global const int* pool, const VolumeParams volume, const int8 x,
                          const int8 y, const int8 z) {
     const int n = volume.size_vox;
     const int8 inside = (x >= 0) & (y >= 0) & (z >= 0) & (x < n) & (y < n) & (z < n);
@@ -29,7 +29,7 @@ typedef struct Cells8 {
 
 /* The voxels at the corners of eight cells. A cell inside one brick takes one look at the table and reads its rows in pairs;
  * one lane after the other, as a gather is on a CPU anyway. */
-inline Cells8 read_cells8(__global const int* table, __global const int* pool, const VolumeParams volume, const int8 x,
+INLINE Cells8 read_cells8(__global const int* table, __global const int* pool, const VolumeParams volume, const int8 x,
                           const int8 y, const int8 z) {
     const int n = volume.size_vox;
     const int8 inside = (x >= 0) & (y >= 0) & (z >= 0) & (x < n) & (y < n) & (z < n);
@@ -69,7 +69,7 @@ typedef struct Sample8 {
 } Sample8;
 
 /* Trilinear TSDF and its gradient (per voxel, not normalised) at points in voxel units. */
-inline Sample8 sample_trilinear8(__global const int* table, __global const int* pool, const VolumeParams volume,
+INLINE Sample8 sample_trilinear8(__global const int* table, __global const int* pool, const VolumeParams volume,
                                  const Points8 p_vox) {
     const float8 fx = floor(p_vox.x - 0.5f), fy = floor(p_vox.y - 0.5f), fz = floor(p_vox.z - 0.5f);
     const float8 ax = p_vox.x - 0.5f - fx, ay = p_vox.y - 0.5f - fy, az = p_vox.z - 0.5f - fz;

@@ -23,7 +23,7 @@ struct HeldObjectConfig {
     CameraTrackingConfig tracking;
     int templates_a_frame = 400;  ///< compared; the whole takes as many frames as it needs
     std::size_t candidates = 6;   ///< of one search, verified one a frame
-    float find_fitting_share = 0.88f, find_seen_share = 0.4f;
+    float find_fitting_share = 0.93f, find_seen_share = 0.4f;
     float keep_fitting_share = 0.75f, keep_seen_share = 0.25f;
     int patience_frames = 6;                         ///< that the last pose is held while it is not confirmed
     float max_step_m = 0.06f, max_step_deg = 15.0f;  ///< from a frame to the next

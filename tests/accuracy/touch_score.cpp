@@ -6,17 +6,16 @@
 #include <set>
 #include <utility>
 
-#include "tests/accuracy/assignment.hpp"
+#include "tests/accuracy/touch_match.hpp"
 
 namespace touchstone {
 namespace {
 
-constexpr double reach_mm = 25.0;
 constexpr double contact_gap_mm = 1.0;
+constexpr double drag_mm = 20.0;
 constexpr double justified_gap_mm = 6.0;
 constexpr int frames_before = 2;
 constexpr int frames_after = 3;
-constexpr double unreachable = 1e6;
 constexpr std::size_t hover_bins = 60;  // of a millimetre
 constexpr int fewest_tips_of_a_bin = 10;
 
@@ -28,6 +27,8 @@ struct Contact {
     Finger finger;
     int first = 0;
     int last = 0;
+    std::array<double, 3> at_mm{};  ///< in its last frame
+    double way_mm = 0.0;
 };
 
 struct Hit {
@@ -35,55 +36,31 @@ struct Hit {
     int id = 0;
 };
 
-struct Match {
-    std::size_t tip = 0;
-    std::size_t touch = 0;
-    double distance_mm = 0.0;
-};
-
 Finger finger_of(const TrueTip& tip) { return {tip.hand, tip.finger}; }
-
-Tips within(const Tips& tips, double gap_mm) {
-    Tips near;
-    std::copy_if(tips.begin(), tips.end(), std::back_inserter(near),
-                 [&](const TrueTip& t) { return t.gap_mm <= gap_mm; });
-    return near;
-}
 
 std::vector<Contact> contacts_of(const TouchTruth& truth) {
     std::vector<Contact> done;
-    std::map<Finger, int> open;
+    std::map<Finger, Contact> open;
     for (int frame = 0; frame <= std::ssize(truth.tips); ++frame) {
-        std::set<Finger> live;
-        if (frame < std::ssize(truth.tips)) {
-            for (const TrueTip& tip : within(truth.tips[static_cast<std::size_t>(frame)], contact_gap_mm)) {
-                live.insert(finger_of(tip));
-            }
+        Tips down;
+        if (frame < std::ssize(truth.tips))
+            down = tips_within(truth.tips[static_cast<std::size_t>(frame)], contact_gap_mm);
+        for (const TrueTip& tip : down) {
+            const auto& at = tip.camera_mm;
+            Contact& contact =
+                open.try_emplace(finger_of(tip), Contact{finger_of(tip), frame, frame, at}).first->second;
+            const auto& before = contact.at_mm;
+            contact.way_mm += std::hypot(at[0] - before[0], at[1] - before[1], at[2] - before[2]);
+            contact.at_mm = at;
+            contact.last = frame;
         }
         std::erase_if(open, [&](const auto& begun) {
-            const bool over = !live.contains(begun.first);
-            if (over) done.push_back({begun.first, begun.second, frame - 1});
+            const bool over = begun.second.last < frame;
+            if (over) done.push_back(begun.second);
             return over;
         });
-        for (const Finger& finger : live) open.try_emplace(finger, frame);
     }
     return done;
-}
-
-std::vector<Match> matches(const Tips& tips, const Touches& touches) {
-    CostMatrix distance_mm(tips.size(), std::vector<double>(touches.size()));
-    for (std::size_t i = 0; i < tips.size(); ++i) {
-        for (std::size_t j = 0; j < touches.size(); ++j) {
-            const auto &a = tips[i].camera_mm, &b = touches[j].camera_mm;
-            const double mm = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-            distance_mm[i][j] = mm > reach_mm ? unreachable : mm;
-        }
-    }
-    std::vector<Match> found;
-    for (const auto& [i, j] : least_cost_assignment(distance_mm)) {
-        if (distance_mm[i][j] <= reach_mm) found.push_back({i, j, distance_mm[i][j]});
-    }
-    return found;
 }
 
 /// Collects, frame by frame, what the scores of contacts, ids and hover are made of.
@@ -95,17 +72,18 @@ class Scorer {
     }
 
     void take_frame(int frame, const Tips& tips, const Touches& touches) {
-        for (const LoggedTouch& touch : touches) seen_.insert(touch.id);
-        const Tips near = within(tips, justified_gap_mm);
-        const auto near_matches = matches(near, touches);
-        for (const Match& match : near_matches) {
+        for (const LoggedTouch& touch : touches)
+            seen_.try_emplace(touch.id, SpuriousTouch{touch.id, frame, touch.camera_mm});
+        const Tips near = tips_within(tips, justified_gap_mm);
+        const auto near_matches = match_touches(near, touches);
+        for (const TouchMatch& match : near_matches) {
             const int id = touches[match.touch].id;
             justified_.insert(id);
             hits_[finger_of(near[match.tip])].push_back({frame, id});
             if (near[match.tip].gap_mm <= contact_gap_mm) score_.position_mm.push_back(match.distance_mm);
         }
-        const Tips down = within(tips, contact_gap_mm);
-        const int found = static_cast<int>(matches(down, touches).size());
+        const Tips down = tips_within(tips, contact_gap_mm);
+        const int found = static_cast<int>(match_touches(down, touches).size());
         score_.true_frames += found;
         score_.missed_frames += static_cast<int>(down.size()) - found;
         score_.false_frames += static_cast<int>(touches.size()) - static_cast<int>(near_matches.size());
@@ -114,8 +92,9 @@ class Scorer {
 
     TouchScore result() {
         for (const Contact& contact : contacts_) take_contact(contact);
-        score_.spurious_ids = static_cast<int>(
-            std::count_if(seen_.begin(), seen_.end(), [&](int id) { return !justified_.contains(id); }));
+        for (const auto& [id, touch] : seen_)
+            if (!justified_.contains(id)) score_.spurious.push_back(touch);
+        score_.spurious_ids = static_cast<int>(score_.spurious.size());
         finish_hover();
         return std::move(score_);
     }
@@ -146,9 +125,18 @@ class Scorer {
         count(by_length, first.has_value());
         if (length >= 2) count(score_.of_two_and_more, first.has_value());
         if (contact.finger.second == 1) count(score_.second_fingers, first.has_value());
-        if (!first) return;
+        if (!first) {
+            score_.missed.push_back(
+                {contact.finger.first, contact.finger.second, contact.first, contact.last, contact.at_mm});
+            return;
+        }
         score_.late_frames.push_back(*first - contact.first);
-        score_.id_switches += static_cast<int>(ids.size()) - 1;
+        const int switches = static_cast<int>(ids.size()) - 1;
+        score_.id_switches += switches;
+        if (contact.way_mm >= drag_mm) {
+            ++score_.drags;
+            score_.drag_id_switches += switches;
+        }
     }
 
     static void count(Found& found, bool is_found) {
@@ -158,7 +146,7 @@ class Scorer {
 
     void take_hovers(int frame, const Tips& tips, const Touches& touches) {
         std::set<std::size_t> taken_for_touches;
-        for (const Match& match : matches(tips, touches)) taken_for_touches.insert(match.tip);
+        for (const TouchMatch& match : match_touches(tips, touches)) taken_for_touches.insert(match.tip);
         for (std::size_t i = 0; i < tips.size(); ++i) {
             if (tips[i].gap_mm > contact_gap_mm && !is_of_a_contact(finger_of(tips[i]), frame)) {
                 take_hover(tips[i].gap_mm, taken_for_touches.contains(i));
@@ -196,7 +184,8 @@ class Scorer {
 
     std::vector<Contact> contacts_;
     std::map<Finger, std::vector<Hit>> hits_;
-    std::set<int> seen_, justified_;
+    std::map<int, SpuriousTouch> seen_;  ///< where each id began
+    std::set<int> justified_;
     std::array<HoverBin, hover_bins> hover_bins_{};
     TouchScore score_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,18 @@ struct HoverScore {
     std::optional<double> told_from_mm;
 };
 
+/// What a log lacks or has too much: for looking at it.
+struct MissedContact {
+    int hand = 0, finger = 0;
+    int first_frame = 0, last_frame = 0;
+    std::array<double, 3> camera_mm{};  ///< in its last frame
+};
+struct SpuriousTouch {
+    int id = 0;
+    int first_frame = 0;
+    std::array<double, 3> camera_mm{};  ///< in its first frame
+};
+
 /// How a touch log compares with the truth. A contact is a run of frames with a gap of at most 1 mm. It is
 /// found if one of its frames, two before to three after it, has a touch within 25 mm. A touch id is spurious
 /// if in none of its frames a fingertip within 6 mm of the surface was within 25 mm of it.
@@ -34,7 +47,10 @@ struct TouchScore {
     std::vector<double> position_mm;  ///< error of each matched touch within a contact
     std::vector<double> late_frames;  ///< of each contact found; negative: before it began
     int id_switches = 0;
+    int drags = 0, drag_id_switches = 0;  ///< contacts found that moved by 20 mm or more, and of them
     HoverScore hover;
+    std::vector<MissedContact> missed;
+    std::vector<SpuriousTouch> spurious;  ///< one for each spurious id
     int frames = 0;
     double fps = 30.0;
 

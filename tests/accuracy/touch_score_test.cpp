@@ -56,6 +56,18 @@ TEST(TouchScore, ATouchWithoutAFingerNearItIsSpurious) {
     EXPECT_EQ(once_right.false_frames, 1);
 }
 
+TEST(TouchScore, NamesWhatIsMissedAndWhatIsSpurious) {
+    const TouchScore score =
+        score_touches(one_finger({9, 0, 0, 9, 9, 9, 9, 9}), {{6, {touch(5, 70.0)}}, {7, {touch(5, 71.0)}}});
+    ASSERT_EQ(score.missed.size(), 1U);
+    EXPECT_EQ(score.missed.front().first_frame, 1);
+    EXPECT_EQ(score.missed.front().last_frame, 2);
+    ASSERT_EQ(score.spurious.size(), 1U);
+    EXPECT_EQ(score.spurious.front().id, 5);
+    EXPECT_EQ(score.spurious.front().first_frame, 6);
+    EXPECT_EQ(score.spurious.front().camera_mm[0], 70.0);
+}
+
 TEST(TouchScore, PositionIsScoredWithinContacts) {
     const TouchScore score = score_touches(
         one_finger({0, 0, 5}), {{0, {touch(1, 3.0)}}, {1, {touch(1, -4.0)}}, {2, {touch(1, 20.0)}}});
@@ -68,6 +80,19 @@ TEST(TouchScore, CountsIdSwitchesWithinAContact) {
     EXPECT_EQ(score.id_switches, 1);
     EXPECT_EQ(score.true_frames, 3);
     EXPECT_EQ(score.missed_frames, 1);
+}
+
+TEST(TouchScore, ADragIsAContactThatMovesByTwentyMillimetres) {
+    TouchTruth truth;
+    TouchLog log;
+    for (int frame = 0; frame < 3; ++frame) {
+        truth.tips.push_back({tip(0.0, 10.0 * frame, 0), tip(0.0, 200.0 + 9.0 * frame, 1)});
+        log[frame] = {touch(frame, 10.0 * frame), touch(7 + frame, 200.0 + 9.0 * frame)};
+    }
+    const TouchScore score = score_touches(truth, log);
+    EXPECT_EQ(score.drags, 1) << "20 mm, not 18";
+    EXPECT_EQ(score.drag_id_switches, 2);
+    EXPECT_EQ(score.id_switches, 4);
 }
 
 TEST(TouchScore, MatchesTwoFingersOneToOne) {

@@ -23,12 +23,6 @@ Motion& append(std::vector<Motion>& motions, Motion::Kind kind, const HandPostur
     return motions.back();
 }
 
-float planned_gap_m(Gesture gesture, Random& random) {
-    if (gesture == Gesture::sweep) return random.uniform(15.0F, 80.0F) * mm;
-    if (gesture == Gesture::feint) return random.uniform(13.0F, 30.0F) * mm;
-    return random.uniform(0.0F, 0.15F) * mm;
-}
-
 /// A point of the scene that the camera sees; every second one lies on a thing, where there is one.
 Vec3 draw_goal(const Workplace& place, Random& random) {
     const bool on_thing = random.chance(0.5F);
@@ -53,6 +47,19 @@ double GesturePlanner::contact_s(Random& random) const {
     // Two half log-normals that meet at the median: p5/p50/p95 = 36/76/230 ms (field/touch.md, fact 4).
     const float z = random.normal();
     return std::clamp(0.076F * std::exp((z < 0.0F ? 0.454F : 0.673F) * z), 0.015F, 0.6F);
+}
+
+float GesturePlanner::planned_gap_m(Gesture gesture, Random& random) const {
+    if (hover_) return random.uniform(hover_->least_m, hover_->most_m);
+    if (gesture == Gesture::sweep) return random.uniform(15.0F, 80.0F) * mm;
+    if (gesture == Gesture::feint) return random.uniform(13.0F, 30.0F) * mm;
+    return random.uniform(0.0F, 0.15F) * mm;
+}
+
+bool GesturePlanner::is_high_enough(const Hand& hand) const {
+    constexpr float rounding_m = 1e-4F;
+    return !hover_ ||
+           gap_m(place_.scene, hand.index().a, hand.index().radius_a) > hover_->least_m - rounding_m;
 }
 
 bool GesturePlanner::can_rest(const HandPosture& posture, const Vec3& shoulder_s, bool thumb_touches) const {
@@ -130,7 +137,7 @@ bool GesturePlanner::is_possible(const Motion& motion, const Vec3& shoulder_s, d
         const double time_s = motion.start_s + length_s * i / samples;
         const HandPosture posture = posture_at(motion, time_s, place_.scene, shape_);
         const Hand hand = build_hand(shape_, posture, shoulder_s, motion.thumb_touches);
-        if (!is_clear(hand, place_)) return false;
+        if (!is_clear(hand, place_) || !is_high_enough(hand)) return false;
         if (!trace) continue;
         if (!is_tip_visible(hand, 0, place_) || (motion.thumb_touches && !is_tip_visible(hand, 1, place_)))
             return false;

@@ -9,11 +9,18 @@ namespace touchstone::sim {
 
 enum class Gesture { tap, hold, drag, pinch, sweep, feint };
 
+/// Gaps of an index that never touches.
+struct HoverBand {
+    float least_m, most_m;
+};
+
 /// Finds movements that a hand can make without running into anything and whose contacts the camera sees.
 class GesturePlanner {
   public:
-    GesturePlanner(const Workplace& place, const HandShape& shape, bool human_timing)
-        : place_(place), shape_(shape), human_timing_(human_timing) {}
+    /// With a hover band, the gaps of all gestures are drawn from it, and the index is nowhere lower.
+    GesturePlanner(const Workplace& place, const HandShape& shape, bool human_timing,
+                   std::optional<HoverBand> hover = std::nullopt)
+        : place_(place), shape_(shape), human_timing_(human_timing), hover_(hover) {}
 
     /// The motions of one gesture from where the hand is now, in order of time; empty when nothing was found
     /// in a few dozen tries.
@@ -45,10 +52,13 @@ class GesturePlanner {
     std::vector<Motion> moving_contact(Gesture gesture, const Target& target, double start_s,
                                        Random& random) const;
     double contact_s(Random& random) const;
+    float planned_gap_m(Gesture gesture, Random& random) const;
+    bool is_high_enough(const Hand& hand) const;
 
     Workplace place_;
     HandShape shape_;
     bool human_timing_;
+    std::optional<HoverBand> hover_;
 };
 
 }  // namespace touchstone::sim

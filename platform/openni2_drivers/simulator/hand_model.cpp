@@ -138,10 +138,11 @@ void add_arm(Hand& hand, const HandShape& shape, const Palm& palm, const Vec3& s
     const Vec3 cuff = wrist + 0.3F * (elbow - wrist);
     const float u = palm.unit;
     add(hand, wrist, 23 * u, cuff + 0.03F * (elbow - wrist), 29 * u, 0.005F);
-    add(hand, cuff, 37 * u, elbow, 47 * u, 0.005F, sleeve);
-    add(hand, elbow, 47 * u, shoulder, 58 * u, 0.005F, sleeve);
+    const float wide = shape.sleeve_mm;
+    add(hand, cuff, (29 + wide) * u, elbow, (39 + wide) * u, 0.005F, sleeve);
+    add(hand, elbow, (39 + wide) * u, shoulder, (50 + wide) * u, 0.005F, sleeve);
     if ((shoulder - shoulder_s).norm() > 0.01F)
-        add(hand, shoulder, 58 * u, shoulder_s, 62 * u, 0.005F, sleeve);
+        add(hand, shoulder, (50 + wide) * u, shoulder_s, (54 + wide) * u, 0.005F, sleeve);
 }
 
 }  // namespace

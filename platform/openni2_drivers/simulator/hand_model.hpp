@@ -10,8 +10,9 @@ namespace touchstone::sim {
 /// What stays the same about a hand; drawn from the seed.
 struct HandShape {
     float fingertip_radius_m = 0.0075F;
-    float scale = 1.0F;  ///< 1 = a hand of 185 mm
-    float side = 1.0F;   ///< +1 right, -1 left hand
+    float scale = 1.0F;      ///< 1 = a hand of 185 mm
+    float side = 1.0F;       ///< +1 right, -1 left hand
+    float sleeve_mm = 8.0F;  ///< of a sleeve from the skin, in millimetres of the model hand
     Vec3 skin{0.85F, 0.62F, 0.5F};
     Vec3 sleeve{0.2F, 0.25F, 0.4F};
 };

@@ -35,8 +35,9 @@ Edge draw_edge(const Workplace& place, Random& random) {
             (left ? -1.0F : 1.0F) * Vec3::UnitX()};
 }
 
-Gesture draw_gesture(Random& random) {
+Gesture draw_gesture(Gestures gestures, Random& random) {
     using enum Gesture;
+    if (gestures != Gestures::all) return random.chance(0.5F) ? sweep : feint;
     constexpr std::array<std::pair<float, Gesture>, 6> shares{
         {{0.44F, tap}, {0.55F, hold}, {0.73F, drag}, {0.87F, pinch}, {0.94F, sweep}, {1.0F, feint}}};
     const float draw = random.uniform();
@@ -45,13 +46,34 @@ Gesture draw_gesture(Random& random) {
     return tap;
 }
 
+std::optional<HoverBand> hover_band(Gestures gestures) {
+    if (gestures == Gestures::all) return std::nullopt;
+    return gestures == Gestures::hover ? HoverBand{0.015F, 0.2F} : HoverBand{0.002F, 0.02F};
+}
+
+/// From numbers of its own: what a hand wears changes no other draw.
+float sleeve_mm(const SimulatorConfig& config, int hand) {
+    constexpr float tight_mm = 1.0F, loose_mm = 8.0F;
+    if (config.sleeve == Sleeve::tight) return tight_mm;
+    if (config.sleeve == Sleeve::loose) return loose_mm;
+    Random random(config.seed, 0x51ee7e + static_cast<std::uint64_t>(hand));
+    return random.chance(0.5F) ? tight_mm : random.uniform(6.0F, 12.0F);
+}
+
+HandShape draw_shape(const SimulatorConfig& config, float half, int hand, Random& random) {
+    HandShape shape = make_hand_shape(random, draw_side(half, random));
+    shape.sleeve_mm = sleeve_mm(config, hand);
+    return shape;
+}
+
 }  // namespace
 
 HandScript::HandScript(const SimulatorConfig& config, const Workplace& place, int hand)
     : place_(place),
       random_(config.seed, 0x4a4d0 + static_cast<std::uint64_t>(hand)),
-      shape_(make_hand_shape(random_, draw_side(place.half, random_))),
-      planner_(place_, shape_, config.human_timing),
+      gestures_(config.gestures),
+      shape_(draw_shape(config, place.half, hand, random_)),
+      planner_(place_, shape_, config.human_timing, hover_band(config.gestures)),
       planned_until_s_(config.empty_s +
                        static_cast<double>(random_.uniform(0.05F, 0.4F) + 0.6F * static_cast<float>(hand))) {}
 
@@ -69,7 +91,7 @@ void HandScript::extend() {
     const double start_s = planned_until_s_ + static_cast<double>(random_.uniform(0.0F, 0.25F));
     std::vector<Motion> motions;
     if (gestures_left_-- > 0)
-        motions = planner_.plan(draw_gesture(random_), last_, start_s, shoulder_s_, random_);
+        motions = planner_.plan(draw_gesture(gestures_, random_), last_, start_s, shoulder_s_, random_);
     if (!motions.empty()) {
         append(std::move(motions));
     } else if (gestures_left_ < 0) {

@@ -40,6 +40,7 @@ class HandScript {
 
     Workplace place_;
     Random random_;
+    Gestures gestures_;
     HandShape shape_;
     GesturePlanner planner_;
     std::deque<Step> steps_;

@@ -12,7 +12,8 @@ namespace touchstone {
 namespace {
 
 constexpr std::string_view key_names =
-    "seed, hands, frames, noise, drift, human, truth, masks, height, tilt, empty, rate, poses, motion, "
+    "seed, hands, frames, noise, drift, human, sleeve, gestures, truth, masks, height, tilt, empty, rate, "
+    "poses, motion, "
     "person, person_s, mesh, size_m, grip, distance, object, put_s, take_s, cycle_s, knock_s, knock_deg, "
     "knock_mm";
 
@@ -76,6 +77,20 @@ ObjectKind parse_object(std::string_view name) {
     refuse(fmt::format("key object must be none, box, ball, can or book, not '{}'", name));
 }
 
+Sleeve parse_sleeve(std::string_view name) {
+    constexpr Names<Sleeve, 3> sleeves{
+        {{"loose", Sleeve::loose}, {"tight", Sleeve::tight}, {"drawn", Sleeve::drawn}}};
+    if (const auto sleeve = find_name(sleeves, name)) return *sleeve;
+    refuse(fmt::format("key sleeve must be loose, tight or drawn, not '{}'", name));
+}
+
+Gestures parse_gestures(std::string_view name) {
+    constexpr Names<Gestures, 3> kinds{
+        {{"all", Gestures::all}, {"hover", Gestures::hover}, {"low", Gestures::low}}};
+    if (const auto gestures = find_name(kinds, name)) return *gestures;
+    refuse(fmt::format("key gestures must be all, hover or low, not '{}'", name));
+}
+
 /// What the keys of the object say together.
 void check_object(const SimulatorConfig& config) {
     constexpr double visit_s = 1.5;  // a hand's way in or out, with the moment it holds the object
@@ -98,8 +113,8 @@ void check_object(const SimulatorConfig& config) {
 /// Whether a key says anything about a scene of this kind.
 bool applies(std::string_view key, SimulatedScene scene) {
     const bool object = scene == SimulatedScene::object;
-    for (const std::string_view of_tables :
-         {"hands", "human", "truth", "height", "tilt", "empty", "object", "put_s", "take_s", "cycle_s"})
+    for (const std::string_view of_tables : {"hands", "human", "sleeve", "gestures", "truth", "height",
+                                             "tilt", "empty", "object", "put_s", "take_s", "cycle_s"})
         if (key == of_tables) return is_table(scene);
     for (const std::string_view of_objects : {"mesh", "size_m", "grip", "distance"})
         if (key == of_objects) return object;
@@ -203,6 +218,10 @@ bool set_text(SimulatorConfig& config, std::string_view key, std::string_view va
         config.motion = parse_motion(value);
     else if (key == "mesh")
         config.mesh_path = parse_path(key, value);
+    else if (key == "sleeve")
+        config.sleeve = parse_sleeve(value);
+    else if (key == "gestures")
+        config.gestures = parse_gestures(value);
     else if (key == "grip")
         config.fingers = parse_grip(value);
     else

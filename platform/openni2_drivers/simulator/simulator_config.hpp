@@ -22,6 +22,20 @@ enum class CameraMotion {
 /// What a hand puts on a table, or takes from it.
 enum class ObjectKind { none, box, ball, can, book };
 
+/// What the arms over a table wear.
+enum class Sleeve {
+    loose,  ///< 8 mm from the skin
+    tight,  ///< 1 mm from the skin
+    drawn,  ///< each hand's own, from the seed: every second one is tight, the others 6 to 12 mm wide
+};
+
+/// What hands do over a table.
+enum class Gestures {
+    all,
+    hover,  ///< they move, strike and stop 15 to 200 mm above the surface, and never touch it
+    low,    ///< the same 2 to 20 mm above it
+};
+
 /// Whether hands touch a table in the scene.
 constexpr bool is_table(SimulatedScene scene) { return scene <= SimulatedScene::mixed; }
 
@@ -35,6 +49,8 @@ struct SimulatorConfig {
     bool drift = true;  ///< slow column bands; follows `noise` unless the URI names it
     bool human_timing =
         true;  ///< taps as short as those of people (p5/p50/p95 = 36/76/230 ms), else 150 to 300 ms
+    Sleeve sleeve = Sleeve::loose;
+    Gestures gestures = Gestures::all;
     std::string truth_path;    ///< empty = no truth file
     std::string masks_folder;  ///< empty = no masks
     double height_m = 1.0;     ///< camera above the table

@@ -164,6 +164,76 @@ TEST(HandScript, SlowTimingGivesNoContactOfOneFrame) {
     EXPECT_EQ(play_minute(table.script(0, -1.0F), table.scene, -1.0F).short_contacts, 0);
 }
 
+/// The index's distances from the scene in a minute, metres, 30 a second.
+std::vector<float> gaps_of_a_minute(const Table& table) {
+    HandScript script = table.script(0, -1.0F);
+    std::vector<float> gaps_m;
+    for (int frame = 0; frame < 1800; ++frame) {
+        const auto moment = script.at(frame / 30.0);
+        if (!moment) continue;
+        const RoundCone& tip = moment->hand.index();
+        gaps_m.push_back(gap_m(table.scene, tip.a, tip.radius_a));
+    }
+    return gaps_m;
+}
+
+TEST(HandScript, HandsThatOnlyHoverNeverTouch) {
+    // Seed 10 has a way over a box that would pass it by 7 mm.
+    for (const SimulatedScene scene : {SimulatedScene::flat, SimulatedScene::cluttered}) {
+        SimulatorConfig config = config_of(scene, 10);
+        config.gestures = Gestures::hover;
+        const std::vector<float> gaps_m = gaps_of_a_minute(Table(config));
+        ASSERT_GT(gaps_m.size(), 900U);
+        EXPECT_GE(*std::min_element(gaps_m.begin(), gaps_m.end()), 0.0149F);
+        const auto low = std::count_if(gaps_m.begin(), gaps_m.end(), [](float gap) { return gap < 0.06F; });
+        EXPECT_GT(low, 60) << "some are near enough to be mistaken";
+    }
+}
+
+TEST(HandScript, HandsThatHoverLowAreAtEveryMillimetre) {
+    SimulatorConfig config = config_of(SimulatedScene::flat, 5);
+    config.gestures = Gestures::low;
+    const std::vector<float> gaps_m = gaps_of_a_minute(Table(config));
+    EXPECT_GE(*std::min_element(gaps_m.begin(), gaps_m.end()), 0.0019F);
+    const auto frames_in = [&](float least_m, float most_m) {
+        return std::count_if(gaps_m.begin(), gaps_m.end(),
+                             [&](float gap) { return gap >= least_m && gap < most_m; });
+    };
+    EXPECT_GE(frames_in(0.002F, 0.008F), 60);
+    EXPECT_GE(frames_in(0.008F, 0.014F), 60);
+}
+
+TEST(HandScript, ASleeveChangesNothingButTheArm) {
+    SimulatorConfig config = config_of(SimulatedScene::flat, 2);
+    const Table loose(config);
+    config.sleeve = Sleeve::tight;
+    const Table tight(config);
+    const auto hand_of = [](const Table& table) { return table.script(0, 0.0F).at(5.0)->hand; };
+    const Hand a = hand_of(loose), b = hand_of(tight);
+    ASSERT_EQ(a.parts.size(), b.parts.size());
+    int sleeves = 0;
+    for (std::size_t i = 0; i < a.parts.size(); ++i) {
+        const bool sleeve = a.parts[i].material == HandMaterial::sleeve;
+        const float narrower = a.parts[i].cone.radius_a - b.parts[i].cone.radius_a;
+        EXPECT_NEAR(narrower, sleeve ? 0.007F : 0.0F, 0.0007F) << "part " << i;
+        sleeves += sleeve ? 1 : 0;
+    }
+    EXPECT_GE(sleeves, 2);
+}
+
+TEST(HandScript, DrawnSleevesAreOfBothKinds) {
+    SimulatorConfig config = config_of(SimulatedScene::flat, 1);
+    config.sleeve = Sleeve::drawn;
+    int tight = 0, loose = 0;
+    for (config.seed = 1; config.seed <= 12; ++config.seed) {
+        const float sleeve_mm = Table(config).script(0, 0.0F).shape().sleeve_mm;
+        tight += sleeve_mm == 1.0F ? 1 : 0;
+        loose += sleeve_mm >= 6.0F && sleeve_mm <= 12.0F ? 1 : 0;
+    }
+    EXPECT_EQ(tight + loose, 12);
+    EXPECT_GE(std::min(tight, loose), 2);
+}
+
 TEST(HandScript, NobodyIsThereAtTheStart) {
     const Table table(config_of(SimulatedScene::mixed, 1));
     HandScript script = table.script(0, 0.0F);

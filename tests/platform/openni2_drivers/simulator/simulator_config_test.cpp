@@ -56,6 +56,18 @@ TEST(SimulatorConfig, ReadsEveryKey) {
     EXPECT_DOUBLE_EQ(config.rate_hz, 60.0);
 }
 
+TEST(SimulatorConfig, ReadsWhatHandsWearAndDo) {
+    EXPECT_EQ(parse_simulator_uri("flat").sleeve, Sleeve::loose);
+    EXPECT_EQ(parse_simulator_uri("flat").gestures, Gestures::all);
+    EXPECT_EQ(parse_simulator_uri("flat?sleeve=tight").sleeve, Sleeve::tight);
+    EXPECT_EQ(parse_simulator_uri("flat?sleeve=drawn").sleeve, Sleeve::drawn);
+    EXPECT_EQ(parse_simulator_uri("flat?gestures=hover").gestures, Gestures::hover);
+    EXPECT_EQ(parse_simulator_uri("flat?gestures=low").gestures, Gestures::low);
+    EXPECT_THAT(refusal("flat?sleeve=wide"), testing::HasSubstr("loose, tight or drawn"));
+    EXPECT_THAT(refusal("flat?gestures=none"), testing::HasSubstr("all, hover or low"));
+    EXPECT_THAT(refusal("room?sleeve=tight"), testing::HasSubstr("not for the scene"));
+}
+
 TEST(SimulatorConfig, DriftFollowsNoiseWhateverTheOrder) {
     EXPECT_FALSE(parse_simulator_uri("flat?noise=0").drift);
     EXPECT_TRUE(parse_simulator_uri("flat?drift=1&noise=0").drift);
