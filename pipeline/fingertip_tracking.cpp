@@ -73,6 +73,7 @@ void FingertipTracking::follow(Track& track, const FingertipCandidate& tip, floa
     track.tip = tip;
     track.missed = 0;
     ++track.age;
+    track.low = tip.height_m < config_.down_m ? track.low + 1 : 0;
     const float frames = std::min(static_cast<float>(track.age), config_.radius_frames);
     track.radius.radius_m += (tip.shape.radius_m - track.radius.radius_m) / frames;
     track.radius.sigma_m = std::max(config_.radius_floor_m, config_.radius_first_sigma_m / std::sqrt(frames));
@@ -82,11 +83,9 @@ void FingertipTracking::report(Track& track, const InteractiveArea& area, const 
                                TrackedTouches& out) {
     const bool seen = track.missed == 0;
     const Vector2f uv = area_uv(area, track.tip.surface_c_m);
-    const bool was_down = track.down;
+    const bool was_down = track.was_down;
     if (seen) {
-        const float limit_m = was_down ? config_.up_m : config_.down_m;
-        track.down = track.tip.height_m < limit_m && in_area(uv, config_.area_margin) &&
-                     (was_down || track.age >= config_.least_age_frames);
+        track.down = touches(track, uv);
     } else if (track.missed > config_.bridged_frames || is_doubled(track)) {
         track.down = false;
     }
@@ -106,6 +105,21 @@ void FingertipTracking::report(Track& track, const InteractiveArea& area, const 
     } else if (seen && !was_down && in_area(uv, config_.area_margin)) {
         out.hovers.push_back({track.last});
     }
+}
+
+bool FingertipTracking::touches(const Track& track, const Vector2f& uv) const {
+    const float limit_m = track.was_down ? config_.up_m : config_.down_m;
+    if (track.tip.height_m >= limit_m || !in_area(uv, config_.area_margin)) return false;
+    if (track.was_down) return true;
+    const int frames = is_beside_touch(track) ? config_.beside_frames : 1;
+    return track.age >= config_.least_age_frames && track.low >= frames;
+}
+
+bool FingertipTracking::is_beside_touch(const Track& track) const {
+    return std::ranges::any_of(tracks_, [&](const Track& other) {
+        return &other != &track && other.was_down &&
+               (other.tip.shape.center_m - track.tip.shape.center_m).norm() < config_.beside_m;
+    });
 }
 
 bool FingertipTracking::is_followed(const Vector3f& center_m) const {
@@ -142,9 +156,11 @@ TrackedTouches FingertipTracking::update(std::span<const FingertipCandidate> tip
         track.id = next_id_++;
         track.tip = tips[i];
         track.radius = {tips[i].shape.radius_m, config_.radius_first_sigma_m};
+        track.low = tips[i].height_m < config_.down_m ? 1 : 0;
         tracks_.push_back(track);
     }
     TrackedTouches out;
+    for (Track& track : tracks_) track.was_down = track.down;
     for (Track& track : tracks_) report(track, area, intrinsics, out);
     std::erase_if(tracks_, [&](const Track& track) { return track.missed > config_.bridged_frames; });
     return out;

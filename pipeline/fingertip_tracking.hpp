@@ -12,16 +12,18 @@
 namespace touchstone {
 
 struct FingertipTrackingConfig {
-    float down_m = 0.0045f;       ///< pad lower than this: contact
-    float up_m = 0.008f;          ///< pad higher than this: no contact any more
-    float gate_m = 0.045f;        ///< a finger moves at most this far from where it is expected ...
-    float gate_steps = 0.5f;      ///< ... plus this times its predicted step
-    float new_gate_m = 0.07f;     ///< the same in the second frame, when its speed is not known: 2 m/s
-    int bridged_frames = 3;       ///< a finger out of sight this long is still followed
-    int least_age_frames = 2;     ///< seen this often before it may touch
-    float apart_m = 0.014f;       ///< two tips closer than this are one finger, seen twice
-    float velocity_gain = 0.6f;   ///< of a new measurement of the velocity
-    float most_speed_m_s = 3.0f;  ///< hands are not faster
+    float down_m = 0.0045f;    ///< pad lower than this: contact
+    float up_m = 0.008f;       ///< pad higher than this: no contact any more
+    float gate_m = 0.045f;     ///< a finger moves at most this far from where it is expected ...
+    float gate_steps = 0.5f;   ///< ... plus this times its predicted step
+    float new_gate_m = 0.07f;  ///< the same in the second frame, when its speed is not known: 2 m/s
+    int bridged_frames = 3;    ///< a finger out of sight this long is still followed
+    int least_age_frames = 2;  ///< seen this often before it may touch
+    float apart_m = 0.014f;    ///< two tips closer than this are one finger, seen twice
+    float beside_m = 0.05f;  ///< knuckles and other fingers of a hand that touches are so near its finger ...
+    int beside_frames = 2;   ///< ... and touch once they were low in so many frames
+    float velocity_gain = 0.6f;           ///< of a new measurement of the velocity
+    float most_speed_m_s = 3.0f;          ///< hands are not faster
     float radius_first_sigma_m = 0.001f;  ///< of the radius seen in one frame
     float radius_frames = 20.0f;          ///< frames over which the radius is averaged
     float radius_floor_m = 0.0003f;       ///< the radius is never known better
@@ -55,7 +57,9 @@ class FingertipTracking {
         RadiusPrior radius;
         int age = 1;     ///< frames in which it was seen
         int missed = 0;  ///< frames since
+        int low = 0;     ///< frames on end in which its pad was lower than down_m
         bool down = false;
+        bool was_down = false;  ///< before this frame
     };
 
     /// Where a track's round end should be now: straight on, but not through the surface.
@@ -65,6 +69,9 @@ class FingertipTracking {
     /// Whether a finger seen in this frame is so close that it is the same.
     bool is_followed(const Eigen::Vector3f& center_m) const;
     bool is_doubled(const Track& track) const;
+    /// Whether a finger that touched before this frame is so close that this may be a part of its hand.
+    bool is_beside_touch(const Track& track) const;
+    bool touches(const Track& track, const Eigen::Vector2f& uv) const;
     void follow(Track& track, const FingertipCandidate& tip, float dt_s) const;
     void report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics, TrackedTouches& out);
 

@@ -65,6 +65,31 @@ TEST_F(ForegroundModelKernels, PickComponentEqualsTheReference) {
     EXPECT_EQ(test::cropped(shape, others.read()), expected.others);
 }
 
+/// Launched over the tiles of a region, nothing outside them is touched.
+TEST_F(ForegroundModelKernels, WhatWasPickedIsTakenBackInTheRegionAlone) {
+    Buffer<std::uint8_t> own(device, map_pixels(shape)), with_free(device, map_pixels(shape)),
+        others(device, map_pixels(shape));
+    Buffer<float> depth_m(device, map_pixels(shape));
+    for (Buffer<std::uint8_t>* map : {&own, &with_free, &others}) map->fill(7);
+    depth_m.fill(0.7f);
+    const LaunchSize size = eight_pixels_each(shape, {40, 20, 60, 30});
+    program.kernel("drop_component").launch(size, own, with_free, others, shape);
+    program.kernel("no_prediction").launch(size, depth_m, shape);
+    const std::vector<std::uint8_t> weights_left = own.read(), free_left = with_free.read(),
+                                    left_out = others.read();
+    const std::vector<float> predicted_m = depth_m.read();
+    for (int y = 0; y < shape.rows_px; ++y) {
+        for (int x = 0; x < shape.pitch_px; ++x) {
+            const std::size_t at = map_index(shape, x, y);
+            const bool inside = x >= 32 && x < 64 && y >= 16 && y < 32;
+            ASSERT_EQ(weights_left[at], inside ? 0 : 7);
+            ASSERT_EQ(free_left[at], inside ? 0 : 7);
+            ASSERT_EQ(left_out[at], inside ? 255 : 7);
+            ASSERT_EQ(predicted_m[at], inside ? 0.0f : 0.7f);
+        }
+    }
+}
+
 /// Depth and source to the bit; the normals come from the same place as the depth.
 TEST_F(ForegroundModelKernels, SurfaceEqualsTheReference) {
     const SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};
@@ -80,7 +105,7 @@ TEST_F(ForegroundModelKernels, SurfaceEqualsTheReference) {
                 shape);
     program.kernel("take_prediction")
         .launch(eight_pixels_each(shape), labels_buffer, live, model, model_normals, depth_m, normals, source,
-                shape, noise, 3.0f, 0, 0, 0);
+                shape, noise, 3.0f, 0);
     reference::ForegroundPicture expected = reference::take_live(mask, live_m);
     reference::take_prediction(labels, live_m, model_m, shape, noise, 3.0f, 0, expected);
     EXPECT_EQ(test::cropped(shape, depth_m.read()), expected.depth_m);

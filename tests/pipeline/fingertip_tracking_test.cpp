@@ -117,6 +117,31 @@ TEST_F(Tracking, WhatWasSeenOnceDoesNotTouch) {
     EXPECT_TRUE(frame({tip(0.2f, 0.1f, 0.0f)}).touches.empty());
 }
 
+/// 33 mm beside a finger that is down, a tip that falls from 23 mm to the surface between two frames touches
+/// in its second frame there; two fingers that land together touch at once, and so does one farther away.
+TEST_F(Tracking, BesideATouchATipMustBeLowTwice) {
+    frame({tip(0.0f, 0.0f, 0.02f), tip(0.033f, 0.0f, 0.03f), tip(0.2f, 0.0f, 0.03f)});
+    frame({tip(0.0f, 0.0f, 0.0f), tip(0.033f, 0.0f, 0.023f), tip(0.2f, 0.0f, 0.023f)});
+    const auto first = frame({tip(0.0f, 0.0f, 0.0f), tip(0.033f, 0.0f, 0.0f), tip(0.2f, 0.0f, 0.0f)});
+    ASSERT_EQ(first.touches.size(), 2u);
+    EXPECT_EQ(first.touches[1].phase, TouchPhase::down);
+    EXPECT_NEAR(first.touches[1].tip.surface_c_m.x(), 0.2f, 1e-6f);
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.0f), tip(0.033f, 0.0f, 0.0f)}).touches.at(1).phase, TouchPhase::down);
+}
+
+TEST_F(Tracking, FingersThatLandTogetherTouchAtOnce) {
+    frame({tip(0.0f, 0.0f, 0.02f), tip(0.033f, 0.0f, 0.02f)});
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.0f), tip(0.033f, 0.0f, 0.0f)}).touches.size(), 2u);
+}
+
+/// What falls beside a touch and is not measured again never touches: nothing of it is held.
+TEST_F(Tracking, BesideATouchNothingIsHeldThatWasLowOnce) {
+    frame({tip(0.0f, 0.0f, 0.02f), tip(0.033f, 0.0f, 0.02f)});
+    frame({tip(0.0f, 0.0f, 0.0f), tip(0.033f, 0.0f, 0.023f)});
+    frame({tip(0.0f, 0.0f, 0.0f), tip(0.033f, 0.0f, 0.001f)});
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.0f)}).touches.size(), 1u);
+}
+
 TEST_F(Tracking, OutsideTheAreaNothingIsReported) {
     for (int i = 0; i < 4; ++i) {
         const auto out = frame({tip(0.4f, 0.0f, 0.0f), tip(0.0f, 0.3f, 0.02f)});
