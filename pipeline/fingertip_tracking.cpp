@@ -73,7 +73,7 @@ void FingertipTracking::follow(Track& track, const FingertipCandidate& tip, floa
     track.tip = tip;
     track.missed = 0;
     ++track.age;
-    track.low = tip.height_m < config_.down_m ? track.low + 1 : 0;
+    track.low = tip.height_m < config_.down_m * noise_factor(tip) ? track.low + 1 : 0;
     const float frames = std::min(static_cast<float>(track.age), config_.radius_frames);
     track.radius.radius_m += (tip.shape.radius_m - track.radius.radius_m) / frames;
     track.radius.sigma_m = std::max(config_.radius_floor_m, config_.radius_first_sigma_m / std::sqrt(frames));
@@ -107,8 +107,13 @@ void FingertipTracking::report(Track& track, const InteractiveArea& area, const 
     }
 }
 
+float FingertipTracking::noise_factor(const FingertipCandidate& tip) const {
+    const float factor = sigma_z_m(config_.noise, tip.shape.center_m.z()) / sigma_z_m(config_.noise, 1.0f);
+    return std::clamp(factor, 1.0f, config_.most_noise);
+}
+
 bool FingertipTracking::touches(const Track& track, const Vector2f& uv) const {
-    const float limit_m = track.was_down ? config_.up_m : config_.down_m;
+    const float limit_m = noise_factor(track.tip) * (track.was_down ? config_.up_m : config_.down_m);
     if (track.tip.height_m >= limit_m || !in_area(uv, config_.area_margin)) return false;
     if (track.was_down) return true;
     const int frames = is_beside_touch(track) ? config_.beside_frames : 1;
@@ -156,7 +161,7 @@ TrackedTouches FingertipTracking::update(std::span<const FingertipCandidate> tip
         track.id = next_id_++;
         track.tip = tips[i];
         track.radius = {tips[i].shape.radius_m, config_.radius_first_sigma_m};
-        track.low = tips[i].height_m < config_.down_m ? 1 : 0;
+        track.low = tips[i].height_m < config_.down_m * noise_factor(tips[i]) ? 1 : 0;
         tracks_.push_back(track);
     }
     TrackedTouches out;

@@ -12,8 +12,10 @@
 namespace touchstone {
 
 struct FingertipTrackingConfig {
-    float down_m = 0.0045f;    ///< pad lower than this: contact
-    float up_m = 0.008f;       ///< pad higher than this: no contact any more
+    SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< Kinect v1, Nguyen et al. 2012
+    float down_m = 0.004f;     ///< pad lower than this, up to 1 m from the camera: contact
+    float up_m = 0.0065f;      ///< pad higher than this: no contact any more
+    float most_noise = 1.6f;   ///< both grow with the noise of depth, to so many times
     float gate_m = 0.045f;     ///< a finger moves at most this far from where it is expected ...
     float gate_steps = 0.5f;   ///< ... plus this times its predicted step
     float new_gate_m = 0.07f;  ///< the same in the second frame, when its speed is not known: 2 m/s
@@ -71,6 +73,8 @@ class FingertipTracking {
     bool is_doubled(const Track& track) const;
     /// Whether a finger that touched before this frame is so close that this may be a part of its hand.
     bool is_beside_touch(const Track& track) const;
+    /// Of down_m and up_m at this tip.
+    float noise_factor(const FingertipCandidate& tip) const;
     bool touches(const Track& track, const Eigen::Vector2f& uv) const;
     void follow(Track& track, const FingertipCandidate& tip, float dt_s) const;
     void report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics, TrackedTouches& out);

@@ -38,6 +38,7 @@ InteractionConfig with_shared_noise(InteractionConfig config) {
     config.segmentation.association.noise = config.noise;
     config.segmentation.components.noise = config.noise;
     config.touch.map.noise = config.noise;
+    config.touch.tracking.noise = config.noise;
     config.foreground.weights.noise = config.noise;
     config.foreground.tracking.noise = config.noise;
     config.held.noise = config.noise;

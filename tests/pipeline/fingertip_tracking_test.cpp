@@ -63,9 +63,24 @@ TEST_F(Tracking, ATapOfOneFrameCounts) {
 
 TEST_F(Tracking, ContactEndsHigherThanItBegins) {
     frame({tip(0.0f, 0.0f, 0.02f)});
-    EXPECT_TRUE(frame({tip(0.0f, 0.0f, 0.0065f)}).touches.empty());
+    EXPECT_TRUE(frame({tip(0.0f, 0.0f, 0.005f)}).touches.empty());
     EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.003f)}).touches.at(0).phase, TouchPhase::down);
-    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.0065f)}).touches.at(0).phase, TouchPhase::move);
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.005f)}).touches.at(0).phase, TouchPhase::move);
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.007f)}).touches.at(0).phase, TouchPhase::up);
+}
+
+/// At 1.5 m sigma_z is 1.85 times that at 1 m; the limits grow to at most 1.6 times.
+TEST_F(Tracking, LimitsGrowWithTheNoiseOfDepth) {
+    const auto far_tip = [&](float height_m) {
+        FingertipCandidate candidate = tip(0.0f, 0.0f, height_m);
+        candidate.shape.center_m.z() += 0.5f;
+        return candidate;
+    };
+    frame({far_tip(0.02f)});
+    EXPECT_TRUE(frame({far_tip(0.0066f)}).touches.empty());
+    EXPECT_EQ(frame({far_tip(0.0062f)}).touches.at(0).phase, TouchPhase::down);
+    EXPECT_EQ(frame({far_tip(0.0102f)}).touches.at(0).phase, TouchPhase::move);
+    EXPECT_EQ(frame({far_tip(0.0106f)}).touches.at(0).phase, TouchPhase::up);
 }
 
 TEST_F(Tracking, ADragOfHalfAMetreASecondKeepsItsId) {
