@@ -10,7 +10,7 @@ namespace touchstone {
 
 namespace {
 
-/// What run, scan and track have in common.
+/// What the sub-commands have in common.
 struct SourceArguments {
     std::string sensor, pace, config_file;
     std::optional<int> frames, voxels;
@@ -27,6 +27,12 @@ struct RunArguments {
 struct ModelArguments {
     SourceArguments source;
     std::string scan, mesh, trajectory;
+};
+
+struct BenchArguments {
+    SourceArguments source;
+    std::string json;
+    bool moving = false;
 };
 
 const CLI::Validator not_empty(
@@ -108,6 +114,15 @@ CLI::App* add_track(CLI::App& app, ModelArguments& arguments) {
     return track;
 }
 
+CLI::App* add_bench(CLI::App& app, BenchArguments& arguments) {
+    CLI::App* bench = app.add_subcommand("bench", "how long the frames of run, or of track, take");
+    add_source_options(*bench, arguments.source);
+    bench->add_flag("--moving", arguments.moving, "the loop of track instead of that of run");
+    bench->add_option("--json", arguments.json, "file for the figures, - for standard output")
+        ->check(not_empty);
+    return bench;
+}
+
 std::optional<std::string> if_given(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(text);
 }
@@ -180,6 +195,18 @@ TrackOptions to_track_options(const ModelArguments& arguments) {
     return options;
 }
 
+BenchOptions to_bench_options(const BenchArguments& arguments) {
+    BenchOptions options;
+    options.config = to_config(arguments.source);
+    options.pace = to_pace(arguments.source).value_or(Pace::step);
+    options.moving = arguments.moving;
+    options.frames = arguments.source.frames.value_or(options.frames);
+    options.voxels = options.config.interaction.background.volume.size_vox;
+    if (arguments.source.side_m) options.side_m = *arguments.source.side_m;
+    options.json_file = if_given(arguments.json);
+    return options;
+}
+
 /// Options of `run` may stand without it; before another sub-command they would be lost.
 void check_no_options_before(const CLI::App& app, const std::string& command) {
     for (const CLI::Option* option : app.get_options()) {
@@ -201,6 +228,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_run_options(*app.add_subcommand("run", "the table (no sub-command means run)"), run_arguments);
     const CLI::App* scan = add_scan(app, model_arguments);
     const CLI::App* track = add_track(app, model_arguments);
+    BenchArguments bench_arguments;
+    const CLI::App* bench = add_bench(app, bench_arguments);
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
@@ -211,11 +240,12 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, std::string(error.what()) + "; see touchstone --help");
     }
-    for (const CLI::App* command : {scan, track}) {
+    for (const CLI::App* command : {scan, track, bench}) {
         if (command->parsed()) check_no_options_before(app, command->get_name());
     }
     if (scan->parsed()) return to_scan_options(model_arguments);
     if (track->parsed()) return to_track_options(model_arguments);
+    if (bench->parsed()) return to_bench_options(bench_arguments);
     RunOptions options = to_run_options(run_arguments);
     if (run_arguments.print_config) return PrintedText{print_config(options.config)};
     return options;

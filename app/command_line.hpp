@@ -41,12 +41,23 @@ struct TrackOptions {
     std::optional<int> frames;
 };
 
+/// `touchstone bench`: how long the frames of `run`, or of `track`, take.
+struct BenchOptions {
+    Config config;
+    std::optional<Pace> pace;              ///< else step: as fast as frames are taken
+    bool moving = false;                   ///< the loop of `track`
+    int frames = 600;                      ///< live ones; the scan is not counted
+    int voxels = 512;                      ///< of a moving camera
+    float side_m = 4.8f;                   ///< the same
+    std::optional<std::string> json_file;  ///< "-" is standard output
+};
+
 /// Text for standard output and then success: --help, --version, --print-config.
 struct PrintedText {
     std::string text;
 };
 
-using Command = std::variant<RunOptions, ScanOptions, TrackOptions, PrintedText>;
+using Command = std::variant<RunOptions, ScanOptions, TrackOptions, BenchOptions, PrintedText>;
 
 /// Throws Error{usage} for what is not understood, Error{configuration or no_input} for the configuration
 /// file.

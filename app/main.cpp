@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "app/bench_command.hpp"
 #include "app/command_line.hpp"
 #include "app/run_command.hpp"
 #include "app/scan_command.hpp"
@@ -18,6 +19,8 @@ touchstone::ExitStatus execute(const touchstone::Command& command) {
         return touchstone::scan_command(*scan);
     if (const auto* track = std::get_if<touchstone::TrackOptions>(&command))
         return touchstone::track_command(*track);
+    if (const auto* bench = std::get_if<touchstone::BenchOptions>(&command))
+        return touchstone::bench_command(*bench);
     return touchstone::run_command(std::get<touchstone::RunOptions>(command));
 }
 

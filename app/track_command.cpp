@@ -7,7 +7,6 @@
 #include "app/frame_reading.hpp"
 #include "app/progress_line.hpp"
 #include "pipeline/mesh_file.hpp"
-#include "pipeline/reconstruction.hpp"
 #include "pipeline/scan_file.hpp"
 #include "pipeline/self_test.hpp"
 #include "pipeline/surface_mesh.hpp"
@@ -19,17 +18,6 @@ namespace touchstone {
 namespace {
 
 constexpr std::size_t least_piece_divisor = 10;  // of an object's triangles, for a piece to be part of it
-
-ReconstructionConfig reconstruction_config(const TrackOptions& options) {
-    ReconstructionConfig config;
-    const InteractionConfig& interaction = options.config.interaction;
-    config.noise = interaction.noise;
-    config.conversion = interaction.conversion;
-    config.volume = interaction.background.volume;
-    config.volume.size_vox = options.voxels;
-    config.volume.side_m = options.side_m;
-    return config;
-}
 
 /// Lines "timestamp tx ty tz qx qy qz qw" (TUM RGB-D), each on the disk's way as soon as it is known.
 class TrajectoryFile {
@@ -119,7 +107,9 @@ class TrackSession {
         if (!reconstruction_) {
             const auto T_g_c = place_camera(view, options_.side_m);
             if (!T_g_c) return;
-            reconstruction_.emplace(device_, reconstruction_config(options_), camera_->intrinsics(), *T_g_c);
+            reconstruction_.emplace(
+                device_, reconstruction_config(options_.config.interaction, options_.voxels, options_.side_m),
+                camera_->intrinsics(), *T_g_c);
         }
         const ReconstructionFrame result = reconstruction_->process(view, frame.color_rgb);
         tally_.add(frame, result);
@@ -167,6 +157,16 @@ void write_results(const TrackOptions& options, const TrackSession& session) {
 }
 
 }  // namespace
+
+ReconstructionConfig reconstruction_config(const InteractionConfig& interaction, int voxels, float side_m) {
+    ReconstructionConfig config;
+    config.noise = interaction.noise;
+    config.conversion = interaction.conversion;
+    config.volume = interaction.background.volume;
+    config.volume.size_vox = voxels;
+    config.volume.side_m = side_m;
+    return config;
+}
 
 ExitStatus track_command(const TrackOptions& options) {
     set_log_level(log_level(options.config));

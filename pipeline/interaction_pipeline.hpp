@@ -97,6 +97,7 @@ class InteractionPipeline {
     const LiveMaps& live() const { return live_; }
     /// Stages by the paper's names, and "frame" for all of process().
     const StageTimes& stage_times() const { return times_; }
+    void forget_stage_times() { times_.clear(); }
 
   private:
     bool place_volume(const DepthView& view);

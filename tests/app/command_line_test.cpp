@@ -31,6 +31,21 @@ TEST(CommandLine, EveryOptionOfTheContract) {
     EXPECT_EQ(options.shots_dir, "s");
 }
 
+TEST(CommandLine, BenchTakesEveryFrameInOrder) {
+    const BenchOptions plain = std::get<BenchOptions>(parse({"bench"}));
+    EXPECT_EQ(plain.pace, Pace::step);
+    EXPECT_FALSE(plain.moving);
+    EXPECT_EQ(plain.frames, 600);
+    EXPECT_FALSE(plain.json_file);
+    const BenchOptions options = std::get<BenchOptions>(
+        parse({"bench", "--moving", "--json", "-", "--frames", "9", "--voxels", "256", "--side", "3"}));
+    EXPECT_TRUE(options.moving);
+    EXPECT_EQ(options.json_file, "-");
+    EXPECT_EQ(options.frames, 9);
+    EXPECT_EQ(options.voxels, 256);
+    EXPECT_EQ(options.side_m, 3.0f);
+}
+
 TEST(CommandLine, PrintConfigAndHelpAreTextsForStandardOutput) {
     EXPECT_THAT(std::get<PrintedText>(parse({"run", "--print-config"})).text,
                 testing::HasSubstr("[scan]\nframes = 20"));

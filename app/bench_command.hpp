@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "platform/system/error.hpp"
+#include "platform/system/stage_timer.hpp"
+
+namespace touchstone {
+
+/// What `touchstone bench` measured.
+struct BenchResult {
+    std::string device;
+    StageSummary frame;                ///< the whole loop of a frame; `frames` of them
+    std::vector<StageSummary> stages;  ///< of it, in the order in which they ran
+    double peak_rss_mb = 0.0, volume_mb = 0.0;
+};
+
+/// {"device":..,"frames":n,"frame_ms":{"median":..,"p99":..},"stages":{NAME:{"median_ms":..,"p99_ms":..}},
+/// "peak_rss_mb":..,"volume_mb":..}
+std::string bench_json(const BenchResult& result);
+/// A table for people.
+std::string bench_table(const BenchResult& result);
+
+/// `touchstone bench`: the live loop of `run`, or of `track`, over the last 300 frames; reading frames is not
+/// counted, scanning neither. Throws Error.
+ExitStatus bench_command(const BenchOptions& options);
+
+}  // namespace touchstone

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <sys/resource.h>
+
+namespace touchstone {
+
+/// The most memory that this process had in RAM so far, megabytes.
+inline double peak_rss_mb() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
+}
+
+}  // namespace touchstone
