@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <fmt/format.h>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/frame_reading.hpp"
@@ -62,13 +61,10 @@ class Bench {
 
     bool track(const DepthFrame& frame) {
         const DepthView view{frame.depth_mm, frame.intrinsics};
-        if (!reconstruction_) {
-            const auto T_g_c = place_camera(view, options_.side_m);
-            if (!T_g_c) return false;
-            reconstruction_.emplace(
-                device_, reconstruction_config(options_.config.interaction, options_.voxels, options_.side_m),
-                frame.intrinsics, *T_g_c);
-        }
+        if (!reconstruction_)
+            reconstruction_ = begin_reconstruction(device_, options_.config.interaction, view,
+                                                   options_.voxels, options_.side_m);
+        if (!reconstruction_) return false;
         reconstruction_->process(view, frame.color_rgb);
         return true;
     }

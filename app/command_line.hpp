@@ -44,7 +44,7 @@ struct TrackOptions {
 /// `touchstone bench`: how long the frames of `run`, or of `track`, take.
 struct BenchOptions {
     Config config;
-    std::optional<Pace> pace;              ///< else step: as fast as frames are taken
+    Pace pace = Pace::step;                ///< as fast as frames are taken
     bool moving = false;                   ///< the loop of `track`
     int frames = 600;                      ///< live ones; the scan is not counted
     int voxels = 512;                      ///< of a moving camera

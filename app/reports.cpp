@@ -4,13 +4,15 @@ namespace touchstone {
 
 namespace {
 
+std::array<double, 3> to_mm(const Eigen::Vector3f& point_m) {
+    const Eigen::Vector3d point_mm = 1000.0 * point_m.cast<double>();
+    return {point_mm.x(), point_mm.y(), point_mm.z()};
+}
+
 ReportedFinger to_finger(const Fingertip& tip) {
     ReportedFinger finger;
     finger.id = tip.id;
-    for (int axis = 0; axis < 3; ++axis) {
-        finger.camera_mm[static_cast<std::size_t>(axis)] =
-            1000.0 * static_cast<double>(tip.surface_c_m[axis]);
-    }
+    finger.camera_mm = to_mm(tip.surface_c_m);
     finger.surface = {tip.area_uv.x(), tip.area_uv.y()};
     finger.height_mm = 1000.0 * static_cast<double>(tip.height_m);
     return finger;
@@ -41,15 +43,11 @@ const char* state_word(HeldObjectState state) {
 }
 
 ReportedObject to_object(const HeldObjectFrame& held) {
-    ReportedObject object{state_word(held.state), held.reason, {}, {}};
-    const Eigen::Quaternionf turn(held.T_c_o.linear());
-    for (int axis = 0; axis < 3; ++axis) {
-        object.camera_mm[static_cast<std::size_t>(axis)] =
-            1000.0 * static_cast<double>(held.T_c_o.translation()[axis]);
-    }
-    for (int part = 0; part < 4; ++part)
-        object.quaternion[static_cast<std::size_t>(part)] = static_cast<double>(turn.coeffs()[part]);
-    return object;
+    const Eigen::Quaterniond turn(held.T_c_o.linear().cast<double>());
+    return {state_word(held.state),
+            held.reason,
+            to_mm(held.T_c_o.translation()),
+            {turn.x(), turn.y(), turn.z(), turn.w()}};
 }
 
 }  // namespace

@@ -104,13 +104,10 @@ class TrackSession {
   private:
     void process(const DepthFrame& frame) {
         const DepthView view{frame.depth_mm, frame.intrinsics};
-        if (!reconstruction_) {
-            const auto T_g_c = place_camera(view, options_.side_m);
-            if (!T_g_c) return;
-            reconstruction_.emplace(
-                device_, reconstruction_config(options_.config.interaction, options_.voxels, options_.side_m),
-                camera_->intrinsics(), *T_g_c);
-        }
+        if (!reconstruction_)
+            reconstruction_ = begin_reconstruction(device_, options_.config.interaction, view,
+                                                   options_.voxels, options_.side_m);
+        if (!reconstruction_) return;
         const ReconstructionFrame result = reconstruction_->process(view, frame.color_rgb);
         tally_.add(frame, result);
         if (result.moving_share > 0.0f)
@@ -158,14 +155,17 @@ void write_results(const TrackOptions& options, const TrackSession& session) {
 
 }  // namespace
 
-ReconstructionConfig reconstruction_config(const InteractionConfig& interaction, int voxels, float side_m) {
+std::optional<Reconstruction> begin_reconstruction(const Device& device, const InteractionConfig& interaction,
+                                                   const DepthView& view, int voxels, float side_m) {
+    const std::optional<RigidTransform> T_g_c = place_camera(view, side_m);
+    if (!T_g_c) return std::nullopt;
     ReconstructionConfig config;
     config.noise = interaction.noise;
     config.conversion = interaction.conversion;
     config.volume = interaction.background.volume;
     config.volume.size_vox = voxels;
     config.volume.side_m = side_m;
-    return config;
+    return std::make_optional<Reconstruction>(device, config, view.intrinsics, *T_g_c);
 }
 
 ExitStatus track_command(const TrackOptions& options) {

@@ -6,8 +6,9 @@
 
 namespace touchstone {
 
-/// What a moving camera shares with the table, and its own volume.
-ReconstructionConfig reconstruction_config(const InteractionConfig& interaction, int voxels, float side_m);
+/// The model of what a moving camera sees, begun with its first view; nothing where that shows too little.
+std::optional<Reconstruction> begin_reconstruction(const Device& device, const InteractionConfig& interaction,
+                                                   const DepthView& view, int voxels, float side_m);
 
 /// `touchstone track`: follows the camera against the growing model, until the source or the wanted frames
 /// are at their end or a signal asks to end. Throws Error.

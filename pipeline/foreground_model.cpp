@@ -97,8 +97,10 @@ std::vector<ForegroundModel::Part> ForegroundModel::large_parts(const LiveMaps& 
     std::vector<Part> parts;
     for (const ForegroundComponent& component : foreground.components) {
         if (component.pixels < config_.min_pixels) continue;
-        parts.push_back({component, sample_component(foreground, live.filtered_m, component, intrinsics_,
-                                                     point_step_px)});
+        ComponentPoints points =
+            sample_component(foreground, live.filtered_m, component, intrinsics_, point_step_px);
+        const PixelRegion region = grown(points.region, region_margin_px, shape_.width_px, shape_.height_px);
+        parts.push_back({component, std::move(points), region});
     }
     std::ranges::sort(parts,
                       [](const Part& a, const Part& b) { return a.component.pixels > b.component.pixels; });
@@ -131,8 +133,7 @@ void ForegroundModel::assign(std::span<const Part> parts, std::vector<int>& comp
 
 void ForegroundModel::follow(MovingVolume& volume, const Part& part, const LiveMaps& live,
                              const Foreground& foreground) {
-    const PixelRegion now = grown(part.points.region, region_margin_px, shape_.width_px, shape_.height_px);
-    const PixelRegion region = volume.region.empty() ? now : hull(now, volume.region);
+    const PixelRegion region = volume.region.empty() ? part.region : hull(part.region, volume.region);
     const LaunchSize size = eight_pixels_each(shape_, region);
     pick_component_.launch(size, foreground.labels, *sample_weights_, own_weights_, weights_with_free_,
                            others_, shape_, part.component.label);
@@ -147,16 +148,15 @@ void ForegroundModel::follow(MovingVolume& volume, const Part& part, const LiveM
     no_prediction_.launch(size, volume.prediction.depth_m, shape_);
     raycasting_.raycast_tiles(volume.volume(), volume.T_g_c(), tiles_around(part.points, shape_),
                               volume.prediction);
-    volume.region = now;
+    volume.region = part.region;
 }
 
 void ForegroundModel::track(MovingVolume& volume, const Part& part, const LiveMaps& live) {
     RigidTransform shifted = RigidTransform::Identity();
     shifted.translation() = volume.last_centre_c_m - part.points.centre_c_m;
     const std::array guesses{RigidTransform::Identity(), volume.last_step_T_p_c, shifted};
-    const PixelRegion region = grown(part.points.region, region_margin_px, shape_.width_px, shape_.height_px);
     TrackingResult result =
-        tracking_.track(live, volume.prediction, guesses, nullptr, {&others_, region}, volume.frames);
+        tracking_.track(live, volume.prediction, guesses, nullptr, {&others_, part.region}, volume.frames);
     judge_step(config_.tracking, result.T_p_c, result);
     if (result.state == TrackingState::lost)
         volume.clear();

@@ -50,6 +50,7 @@ class ForegroundModel {
     struct Part {
         ForegroundComponent component;
         ComponentPoints points;
+        PixelRegion region;  ///< of the component, with a margin
     };
 
     std::vector<Part> large_parts(const LiveMaps& live, const Foreground& foreground) const;
@@ -69,8 +70,8 @@ class ForegroundModel {
     Raycasting raycasting_;
     Program program_;
     Kernel pick_component_, drop_component_, no_prediction_, take_live_, take_prediction_;
-    Buffer<std::uint8_t> own_weights_, weights_with_free_,
-        others_;  ///< 0, 0 and 255 but while a volume follows
+    /// 0, 0 and 255, except where a volume is being followed.
+    Buffer<std::uint8_t> own_weights_, weights_with_free_, others_;
     Buffer<std::uint8_t> source_;
     SurfacePrediction surface_;
     std::vector<MovingVolume> volumes_;

@@ -12,7 +12,7 @@ namespace touchstone {
 inline constexpr int small_width_px = 40, small_height_px = 30;
 
 /// A depth picture of 40 x 30 blocks, row-major, millimetres, 0 = unknown.
-using SmallPicture = std::array<std::uint16_t, small_width_px * small_height_px>;
+using SmallPicture = std::array<std::uint16_t, std::size_t{small_width_px} * small_height_px>;
 
 /// Median of the valid depths of each block; unknown where fewer than a quarter of a block's are valid.
 SmallPicture make_small_picture(const DepthView& view);

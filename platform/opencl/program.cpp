@@ -72,9 +72,7 @@ void save_binary(const cl::Program& program, const std::filesystem::path& path) 
 void Kernel::enqueue(const LaunchSize& size) {
     const cl::NDRange global(size.global[0], size.global[1], size.global[2]);
     const cl::NDRange local(size.local[0], size.local[1], size.local[2]);
-    const bool has_offset = size.first != std::array<std::size_t, 3>{};
-    const cl::NDRange first =
-        has_offset ? cl::NDRange(size.first[0], size.first[1], size.first[2]) : cl::NDRange(cl::NullRange);
+    const cl::NDRange first(size.first[0], size.first[1], size.first[2]);
     device_->queue().enqueueNDRangeKernel(kernel_, first, global, local);
 }
 

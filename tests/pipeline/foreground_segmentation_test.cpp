@@ -258,6 +258,19 @@ TEST(ForegroundSegmentation, SpotsOfOneFrameAreNot) {
     }
 }
 
+/// Nor is a spot that comes back where it was a few frames before: of late is the frame before.
+TEST(ForegroundSegmentation, ASpotThatComesBackNowAndThenIsNot) {
+    Stage stage;
+    stage.set_background(table());
+    const DepthOfRay ball = test::sphere(Eigen::Vector3f(0.05f, 0.0f, 0.85f), 0.015f);
+    for (int frame = 0; frame < 12; ++frame) {
+        const bool there = frame % 3 == 0;
+        EXPECT_TRUE(
+            stage.segment(stage.sense(there ? test::both(table(), ball) : table())).components.empty())
+            << frame;
+    }
+}
+
 /// A piece that noise broke off a hand is believed at once.
 TEST(ForegroundSegmentation, APieceBesideTheForegroundIsBelieved) {
     Stage stage;
