@@ -52,9 +52,11 @@ INLINE float8 nearest_in_square8(__global const float* windows_m, const MapShape
 }
 
 /* Counts for each cell of the grid (n^3 over the volume's cube) in how many frames, up to most_frames, it was wholly in front of
- * what the camera saw; a cell with a still surface in it loses two. Eight cells along x a work-item; global size (n / 8, n, n). */
+ * what the camera saw; a cell with a still surface in it loses two. seen_taken counts, up to 255, those in which there was a
+ * surface in it (taken_now), and loses half where it was free. Eight cells along x a work-item; global size (n / 8, n, n). */
 __kernel void remember_free_space(__global const float* depth_m, __global const uchar* moving, __global const float* windows_m,
-                                  __global uchar* seen_free, const float cell_m, const int n, const int most_frames,
+                                  __global const uchar* taken_now, __global uchar* seen_free, __global uchar* seen_taken,
+                                  const float cell_m, const int n, const int most_frames,
                                   const SensorNoise noise, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), z = (int)get_global_id(2);
     Points8 centre;
@@ -80,40 +82,64 @@ __kernel void remember_free_space(__global const float* depth_m, __global const 
     const int8 old = convert_int8(vload8(0, counts));
     const int8 less = select(old, max(old - 2, 0), taken);
     vstore8(convert_uchar8(select(less, min(old + 1, most_frames), free)), 0, counts);
+    const int cell = (z * n + y) * n + x;
+    const int8 age = convert_int8(vload8(0, seen_taken + cell));
+    const int8 older = select(age, min(age + 1, 255), (pixel >= 0) & (convert_int8(vload8(0, taken_now + cell)) != 0));
+    vstore8(convert_uchar8(select(older, age / 2, free)), 0, seen_taken + cell);
 }
 
-INLINE int8 in_free_space8(__global const uchar* seen_free, const float cell_m, const int n, const int enough_frames,
-                           const Points8 p_g) {
+/* Of points in the global frame; -1 outside the cube. */
+INLINE int8 cell_index8(const float cell_m, const int n, const Points8 p_g) {
     const float8 x = p_g.x / cell_m, y = p_g.y / cell_m, z = p_g.z / cell_m;
     const float side = (float)n;
     const int8 inside = (x >= 0.0f) & (y >= 0.0f) & (z >= 0.0f) & (x < side) & (y < side) & (z < side);
     const float8 none = (float8)(0.0f);
     const int8 i = convert_int8_rtz(select(none, x, inside)), j = convert_int8_rtz(select(none, y, inside));
     const int8 l = convert_int8_rtz(select(none, z, inside));
-    const int8 count = convert_int8(gather_uchar8(seen_free, (l * n + j) * n + i));
-    return inside & (count >= enough_frames);
+    return select((int8)(-1), (l * n + j) * n + i, inside);
+}
+
+/* 1 for each cell of the grid in which the camera sees a surface; others are left. Eight pixels a work-item. */
+__kernel void mark_taken(__global const float* depth_m, __global uchar* taken_now, const MapShape shape, const Intrinsics k,
+                         const Pose T_g_c, const float cell_m, const int n) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
+    const float8 depth = vload8(0, depth_m + y * shape.pitch_px + x);
+    const Points8 p_g = transform_points8(T_g_c, back_project8(k, x, y, depth));
+    const int8 cells = select((int8)(-1), cell_index8(cell_m, n, p_g), depth > 0.0f);
+    int index[8];
+    vstore8(cells, 0, index);
+    for (int i = 0; i < 8; ++i)
+        if (index[i] >= 0) taken_now[index[i]] = 1;
+}
+
+INLINE int8 in_free_space8(__global const uchar* seen_free, const float cell_m, const int n, const int enough_frames,
+                           const Points8 p_g) {
+    const int8 cell = cell_index8(cell_m, n, p_g);
+    return (cell >= 0) & (convert_int8(gather_uchar8(seen_free, cell)) >= enough_frames);
 }
 
 /* One ComponentMember per pixel, of points in the cube that are not of the model. MEMBER_SEED: a few frames ago the camera, in
  * whose frame b T_b_c takes the point, saw through it and eight pixels around (before_m: windows of eight pixels);
  * MEMBER_UNKNOWN: it lies in free space, by a cell or four sigma at least; the others can be grown into, where there is no
- * model only if into_unknown. Eight pixels a work-item. */
+ * model only if into_unknown. young: 255 where there was a surface in less than young_frames frames (0: nowhere), which can be
+ * grown into, too, also where it is of the model by now. Eight pixels a work-item. */
 __kernel void mark_moving(__global const uchar* codes, __global const float* live_m, __global const uchar* seen_free,
-                          __global const float* before_m, __global uchar* members, const MapShape shape, const Intrinsics k,
-                          const Pose T_g_c, const Pose T_b_c, const float cell_m, const int n, const int enough_frames,
-                          const int into_unknown, const SensorNoise noise) {
+                          __global const uchar* seen_taken, __global const float* before_m, __global uchar* members,
+                          __global uchar* young, const MapShape shape, const Intrinsics k, const Pose T_g_c, const Pose T_b_c,
+                          const float cell_m, const int n, const int enough_frames, const int young_frames, const int into_unknown,
+                          const SensorNoise noise) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;
     const int8 code = convert_int8(vload8(0, codes + at));
     const int8 in_front = (code == ASSOCIATION_IN_FRONT) | (code == ASSOCIATION_SLIGHTLY_IN_FRONT);
-    const int8 no_model = code == ASSOCIATION_NO_MODEL;
-    const int8 apart = in_front | no_model | (code == ASSOCIATION_BEHIND);
-    int8 member = (int8)(MEMBER_NONE);
-    if (any(apart)) {
+    const int8 no_model = code == ASSOCIATION_NO_MODEL, behind = code == ASSOCIATION_BEHIND;
+    const int8 apart = in_front | no_model | behind;
+    int8 member = (int8)(MEMBER_NONE), is_young = (int8)(0);
+    if (any(apart) || young_frames > 0) {
         const float8 live = vload8(0, live_m + at), margin_m = 4.0f * sigma_z8(noise, live);
         const Points8 p = back_project8(k, x, y, live), p_g = transform_points8(T_g_c, p);
-        const float side_m = cell_m * (float)n;
-        const int8 inside = apart & (live > 0.0f) & (p_g.x >= 0.0f) & (p_g.y >= 0.0f) & (p_g.z >= 0.0f) & (p_g.x < side_m) &
-                            (p_g.y < side_m) & (p_g.z < side_m);
+        const int8 cell = cell_index8(cell_m, n, p_g);
+        const int8 in_cube = (live > 0.0f) & (cell >= 0), inside = apart & in_cube;
+        is_young = in_cube & (convert_int8(gather_uchar8(seen_taken, cell)) < young_frames);
         const Points8 deeper = back_project8(k, x, y, live + fmax((float8)(cell_m), margin_m));
         const int8 free = in_free_space8(seen_free, cell_m, n, enough_frames, p_g) &
                           in_free_space8(seen_free, cell_m, n, enough_frames, transform_points8(T_g_c, deeper));
@@ -121,17 +147,19 @@ __kernel void mark_moving(__global const uchar* codes, __global const float* liv
         const int8 middle = project_to_index8(k, shape, p_b), corner = middle - (4 * shape.pitch_px + 4);
         const float8 before = gather8(before_m, select((int8)(-1), corner, middle >= 0));
         const int8 came = before > p_b.z + margin_m;
-        member = select(member, (int8)(MEMBER_GROWTH), inside & (in_front | (into_unknown ? no_model : (int8)(0))));
+        const int8 growth = (inside & (in_front | (into_unknown ? no_model : (int8)(0)))) | (is_young & ~behind);
+        member = select(member, (int8)(MEMBER_GROWTH), growth);
         member = select(member, (int8)(MEMBER_UNKNOWN), inside & free);
         member = select(member, (int8)(MEMBER_SEED), inside & came);
     }
     vstore8(convert_uchar8(member), 0, members + at);
+    vstore8(convert_uchar8(is_young), 0, young + at);
 }
 
 /* Frames that a pixel is still held to be of a moving part. hold_frames where its component moves as a whole (label 0), or
  * (label 1) where it is of one and before the model or in free space; elsewhere one less than what the pixel of the last frame
- * was, that it or a neighbour of it shows again, while there is no model there. mask is 255 where it is not 0. Eight pixels a
- * work-item; last: of the camera p. */
+ * was, that it or a neighbour of it shows again, while there is no model there or a young one. mask is 255 where it is not 0.
+ * Eight pixels a work-item; last: of the camera p. */
 __kernel void hold_moving(__global const int* labels, __global const uchar* members, __global const uchar* codes,
                           __global const float* live_m, __global const float* last_m, __global const uchar* last_held,
                           __global uchar* held, __global uchar* mask, const MapShape shape, const Intrinsics k, const Pose T_p_c,
@@ -139,8 +167,10 @@ __kernel void hold_moving(__global const int* labels, __global const uchar* memb
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;
     const int8 code = convert_int8(vload8(0, codes + at)), label = vload8(0, labels + at);
     const int8 no_model = code == ASSOCIATION_NO_MODEL;
-    const int8 known = ~no_model | (convert_int8(vload8(0, members + at)) > MEMBER_GROWTH);
-    const int8 apart = no_model | (code == ASSOCIATION_IN_FRONT) | (code == ASSOCIATION_SLIGHTLY_IN_FRONT);
+    const int8 member = convert_int8(vload8(0, members + at));
+    const int8 in_front = (code == ASSOCIATION_IN_FRONT) | (code == ASSOCIATION_SLIGHTLY_IN_FRONT);
+    const int8 known = in_front | (member > MEMBER_GROWTH);
+    const int8 apart = no_model | in_front | (member == MEMBER_GROWTH);
     int8 left = (int8)(0);
     if (any(apart)) {
         const float8 live = vload8(0, live_m + at);
@@ -158,6 +188,13 @@ __kernel void hold_moving(__global const int* labels, __global const uchar* memb
     left = select(left, (int8)(hold_frames), (label == 0) | ((label == 1) & known));
     vstore8(convert_uchar8(left), 0, held + at);
     vstore8(convert_uchar8(left > 0), 0, mask + at);
+}
+
+/* 255 where either mask is not 0. Eight pixels a work-item. */
+__kernel void either(__global const uchar* a, __global const uchar* b, __global uchar* result, const MapShape shape) {
+    const int at = (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8;
+    const int8 set = (convert_int8(vload8(0, a + at)) | convert_int8(vload8(0, b + at))) != 0;
+    vstore8(convert_uchar8(set), 0, result + at);
 }
 
 /* 255 within radius_px rows of `wide`. Eight pixels a work-item. */

@@ -1,5 +1,6 @@
 #include "pipeline/moving_parts.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -32,8 +33,10 @@ MovingParts::MovingParts(const Device& device, const MovingPartsConfig& config, 
       segmentation_(load_kernel_program(device, "foreground_segmentation.cl")),
       copy_windows_(program_.kernel("copy_windows")),
       double_windows_(program_.kernel("double_windows")),
+      mark_taken_(program_.kernel("mark_taken")),
       remember_free_space_(program_.kernel("remember_free_space")),
       mark_moving_(program_.kernel("mark_moving")),
+      either_(program_.kernel("either")),
       hold_moving_(program_.kernel("hold_moving")),
       widen_columns_(program_.kernel("widen_columns")),
       keep_supported_seeds_(segmentation_.kernel("keep_supported_seeds")),
@@ -45,7 +48,11 @@ MovingParts::MovingParts(const Device& device, const MovingPartsConfig& config, 
       parts_(device, map_pixels(shape_)),
       wide_(device, map_pixels(shape_)),
       mask_(device, map_pixels(shape_)),
+      young_(device, map_pixels(shape_)),
+      untracked_(device, map_pixels(shape_)),
       seen_free_(device, cells(config.cells_per_side)),
+      seen_taken_(device, cells(config.cells_per_side)),
+      taken_now_(device, cells(config.cells_per_side)),
       held_(device, map_pixels(shape_)),
       last_held_(device, map_pixels(shape_)),
       labels_(device, map_pixels(shape_)),
@@ -54,6 +61,7 @@ MovingParts::MovingParts(const Device& device, const MovingPartsConfig& config, 
       windows_m_(device, window_levels * (map_pixels(shape_) + window_slack)) {
     for (Before& before : before_) before.nearest_m = Buffer<float>(device, map_pixels(shape_));
     seen_free_.fill(0);
+    seen_taken_.fill(0);
     none_expected_.fill(0);
     no_fallback_m_.fill(0.0f);
     forget();
@@ -61,6 +69,8 @@ MovingParts::MovingParts(const Device& device, const MovingPartsConfig& config, 
 
 void MovingParts::forget() {
     mask_.fill(0);
+    untracked_.fill(0);
+    watched_frames_ = 0;
     held_.fill(0);
     last_held_.fill(0);
     last_m_.fill(0.0f);
@@ -74,9 +84,10 @@ float MovingParts::find(const LiveMaps& live, const SurfacePrediction& model, co
     const Before& before = before_[next_before_];
     const RigidTransform T_b_c = before.T_g_b.inverse() * T_g_c;
     const SensorNoise& noise = config_.association.noise;
-    mark_moving_.launch(size, codes_, live.filtered_m, seen_free_, before.nearest_m, candidates_, shape_,
-                        intrinsics_, to_pose(T_g_c), to_pose(T_b_c), cell_m_, config_.cells_per_side,
-                        config_.enough_frames, config_.into_unknown ? 1 : 0, noise);
+    mark_moving_.launch(size, codes_, live.filtered_m, seen_free_, seen_taken_, before.nearest_m, candidates_,
+                        young_, shape_, intrinsics_, to_pose(T_g_c), to_pose(T_b_c), cell_m_,
+                        config_.cells_per_side, config_.enough_frames, young_frames(),
+                        config_.into_unknown ? 1 : 0, noise);
     keep_supported_seeds_.launch(size, candidates_, none_expected_, members_, shape_, 1);
     if (turns_fast(T_b_c)) members_.fill(MEMBER_NONE);
     const float share = select_components(components_.find(members_, live.filtered_m));
@@ -84,7 +95,33 @@ float MovingParts::find(const LiveMaps& live, const SurfacePrediction& model, co
                         shape_, intrinsics_, to_pose(T_p_c), config_.hold_frames, noise);
     widen_rows_.launch(size, parts_, wide_, shape_, config_.widen_px);
     widen_columns_.launch(size, wide_, mask_, shape_, config_.widen_px);
+    mark_untracked(live);
+    const int step = share >= config_.min_watched_share ? 1 : -1;
+    watched_frames_ = std::clamp(watched_frames_ + step, 0, config_.most_watched_frames);
     return share;
+}
+
+int MovingParts::young_frames() const {
+    if (watched_frames_ < config_.min_watched_frames) return 0;
+    return std::min(config_.young_frames, remembered_frames_ / 2);
+}
+
+void MovingParts::mark_untracked(const LiveMaps& live) {
+    const LaunchSize size = eight_pixels_each(shape_);
+    const bool leave_young = young_frames() > 0 && enough_is_old(live);
+    either_.launch(size, mask_, leave_young ? young_ : mask_, untracked_, shape_);
+}
+
+bool MovingParts::enough_is_old(const LiveMaps& live) const {
+    const auto young = young_.map_read();
+    const auto mask = mask_.map_read();
+    const auto depth_m = live.depth_m.map_read();
+    std::size_t measured = 0, old = 0;
+    for (std::size_t i = 0; i < young.values().size(); ++i) {
+        measured += depth_m[i] > 0.0f ? 1 : 0;
+        old += depth_m[i] > 0.0f && young[i] == 0 && mask[i] == 0 ? 1 : 0;
+    }
+    return static_cast<float>(old) >= config_.min_old_share * static_cast<float>(measured);
 }
 
 bool MovingParts::turns_fast(const RigidTransform& T_b_c) const {
@@ -124,10 +161,15 @@ void MovingParts::remember(const LiveMaps& live, const RigidTransform& T_g_c, bo
 }
 
 void MovingParts::remember_free_space(const LiveMaps& live, const RigidTransform& T_g_c) {
+    ++remembered_frames_;
     const auto side = static_cast<std::size_t>(config_.cells_per_side);
+    taken_now_.fill(0);
+    mark_taken_.launch(eight_pixels_each(shape_), live.depth_m, taken_now_, shape_, intrinsics_,
+                       to_pose(T_g_c), cell_m_, config_.cells_per_side);
     remember_free_space_.launch({{side / 8, side, side}, {side / 8, 1, 1}}, live.depth_m, mask_, windows_m_,
-                                seen_free_, cell_m_, config_.cells_per_side, config_.most_frames,
-                                config_.association.noise, intrinsics_, shape_, to_pose(T_g_c.inverse()));
+                                taken_now_, seen_free_, seen_taken_, cell_m_, config_.cells_per_side,
+                                config_.most_frames, config_.association.noise, intrinsics_, shape_,
+                                to_pose(T_g_c.inverse()));
 }
 
 }  // namespace touchstone

@@ -26,8 +26,17 @@ struct MovingPartsConfig {
     /// Of a camera since the picture three frames ago: one that turns faster shears what it reads row by row,
     /// and edges of still things then look as if they had moved. Not for objects, which are turned.
     float max_turn_deg = 3.0f;
-    int hold_frames = 150;  ///< that something which came is left out when it rests, at most 255
-    int widen_px = 8;       ///< of the mask, at most 8
+    /// While something large moves, a surface must have been there in so many frames before the camera is
+    /// tracked by it, at most 255: somebody who comes in from the side is at first a new surface like any
+    /// other. Less than so many, the model's surface can be grown into, too. 0: at once.
+    int young_frames = 30;
+    /// Something large: of the picture, in so many more frames than not, of which at most so many are
+    /// counted. What is found by mistake in a real room (up to 5 % of a frame) is gone in the next.
+    float min_watched_share = 0.02f;
+    int min_watched_frames = 4, most_watched_frames = 20;
+    float min_old_share = 0.2f;  ///< of the live pixels; where less is old, the young are tracked by
+    int hold_frames = 150;       ///< that something which came is left out when it rests, at most 255
+    int widen_px = 8;            ///< of the mask, at most 8
 };
 
 /// What moves apart from the model before a camera that moves, too: people in a room, hands at an object. A
@@ -45,6 +54,8 @@ class MovingParts {
                const RigidTransform& T_g_c);
     /// Map of what was found last, widened: 255 on moving parts, else 0.
     const Buffer<std::uint8_t>& mask() const { return mask_; }
+    /// The same with what may turn out to move: the camera is better tracked by the rest.
+    const Buffer<std::uint8_t>& untracked() const { return untracked_; }
     /// Remembers a picture of the camera at T_g_c, of which find() has found what moves; `fused`: also as
     /// free space for long.
     void remember(const LiveMaps& live, const RigidTransform& T_g_c, bool fused);
@@ -61,6 +72,9 @@ class MovingParts {
     };
 
     bool turns_fast(const RigidTransform& T_b_c) const;
+    int young_frames() const;
+    void mark_untracked(const LiveMaps& live);
+    bool enough_is_old(const LiveMaps& live) const;
     float select_components(const std::vector<Component>& found);
     void remember_free_space(const LiveMaps& live, const RigidTransform& T_g_c);
 
@@ -71,10 +85,13 @@ class MovingParts {
     DataAssociation association_;
     ConnectedComponents components_;
     Program program_, segmentation_;
-    Kernel copy_windows_, double_windows_, remember_free_space_, mark_moving_, hold_moving_, widen_columns_;
-    Kernel keep_supported_seeds_, widen_rows_;
-    Buffer<std::uint8_t> codes_, candidates_, members_, none_expected_, parts_, wide_, mask_, seen_free_,
-        held_, last_held_;
+    Kernel copy_windows_, double_windows_, mark_taken_, remember_free_space_, mark_moving_, either_,
+        hold_moving_;
+    Kernel widen_columns_, keep_supported_seeds_, widen_rows_;
+    Buffer<std::uint8_t> codes_, candidates_, members_, none_expected_, parts_, wide_, mask_, young_,
+        untracked_, seen_free_, seen_taken_, taken_now_, held_, last_held_;
+    int watched_frames_ = 0;  // with something large that moves, less those without
+    int remembered_frames_ = 0;
     Buffer<int> labels_;
     Buffer<float> no_fallback_m_, last_m_, windows_m_;  // windows_m_: nearest depths, see moving_parts.cl
     std::array<Before, 3> before_;                      // the oldest is next_before_

@@ -48,6 +48,7 @@ ReconstructionConfig with_shared_noise(ReconstructionConfig config) {
     if (config.volume.side_m < object_side_m) {
         config.tracking.levels = object_levels;
         config.moving.into_unknown = true;
+        config.moving.young_frames = 0;
         config.track_again_inlier_share = object_inlier_share;
     }
     return config;
@@ -245,7 +246,7 @@ void Reconstruction::relocalise(const DepthView& view, ReconstructionFrame& fram
 }
 
 void Reconstruction::mark_outside(const RigidTransform& T_g_c) {
-    mark_outside_.launch(eight_pixels_each(live_.shape), live_.filtered_m, moving_.mask(), outside_,
+    mark_outside_.launch(eight_pixels_each(live_.shape), live_.filtered_m, moving_.untracked(), outside_,
                          live_.shape, intrinsics_, to_pose(T_g_c), -outside_margin_m,
                          config_.volume.side_m + outside_margin_m);
 }

@@ -72,32 +72,61 @@ TEST_P(MovingPartsKernels, FreeSpaceAgreesWithTheReference) {
     const Grid<float> depth = depths();
     Grid<std::uint8_t> moving{width_px, height_px, std::vector<std::uint8_t>(depth.values.size(), 0)};
     for (std::size_t i = 0; i < moving.values.size() / 3; ++i) moving.values[i] = 255;
-    const std::vector<std::uint8_t> before = counts();
+    const std::vector<std::uint8_t> before = counts(), taken_before = counts();
+    std::vector<std::uint8_t> taken_now = counts();
+    for (auto& taken : taken_now) taken = taken > 15 ? 1 : 0;
     const auto depth_map = upload(depth);
     const auto moving_map = upload(moving);
-    Buffer<std::uint8_t> seen_free(device, before);
+    Buffer<std::uint8_t> seen_free(device, before), seen_taken(device, taken_before);
     Buffer<float> windows(device, 7 * (map_pixels(shape) + 64));
     program.kernel("copy_windows").launch(eight_pixels_each(shape), depth_map, windows, shape, 0);
     for (int level = 1; level < 7; ++level)
         program.kernel("double_windows").launch(eight_pixels_each(shape), windows, shape, level);
     program.kernel("remember_free_space")
-        .launch({{4, 32, 32}, {4, 1, 1}}, depth_map, moving_map, windows, seen_free, space.cell_m,
+        .launch({{4, 32, 32}, {4, 1, 1}}, depth_map, moving_map, windows,
+                Buffer<std::uint8_t>(device, taken_now), seen_free, seen_taken, space.cell_m,
                 space.cells_per_side, space.most_frames, space.noise, k, shape, to_pose(T_g_c.inverse()));
-    const std::vector<std::uint8_t> after = seen_free.read();
+    const std::vector<std::uint8_t> after = seen_free.read(), taken_after = seen_taken.read();
     int more = 0, less = 0, differing = 0;
     for (int i = 0; i < 32 * 32 * 32; ++i) {
         const Eigen::Vector3f cell(static_cast<float>(i % 32), static_cast<float>(i / 32 % 32),
                                    static_cast<float>(i / 1024));
         const Eigen::Vector3f centre_c = T_g_c.inverse() * (space.cell_m * (cell.array() + 0.5f).matrix());
         const auto at = static_cast<std::size_t>(i);
-        const int expected = reference::remember_free_space(depth, moving, space, k, centre_c, before[at]);
-        more += expected > before[at], less += expected < before[at];
-        differing += after[at] != expected;
+        const reference::CellCounts expected = reference::remember_free_space(
+            depth, moving, space, k, centre_c, taken_now[at] != 0, {before[at], taken_before[at]});
+        more += expected.seen_free > before[at], less += expected.seen_free < before[at];
+        differing += after[at] != expected.seen_free || taken_after[at] != expected.seen_taken;
     }
     EXPECT_LE(differing, 32);
     if (width_px >= 96) {
         EXPECT_GT(more, 300);
         EXPECT_GT(less, 50);
+    }
+}
+
+/// Equal but for one cell in a thousand, at whose border a point lies.
+TEST_P(MovingPartsKernels, CellsWithASurfaceAgreeWithTheReference) {
+    const Grid<float> depth = depths();
+    Buffer<std::uint8_t> taken(device, std::vector<std::uint8_t>(32U * 32U * 32U, 0));
+    program.kernel("mark_taken")
+        .launch(eight_pixels_each(shape), upload(depth), taken, shape, k, to_pose(T_g_c), space.cell_m,
+                space.cells_per_side);
+    std::vector<std::uint8_t> expected(32U * 32U * 32U, 0);
+    for (int y = 0; y < height_px; ++y) {
+        for (int x = 0; x < width_px; ++x) {
+            if (depth.at(x, y) <= 0.0f) continue;
+            const auto cell =
+                reference::cell_index(space, T_g_c * reference::back_project(k, x, y, depth.at(x, y)));
+            if (cell) expected[*cell] = 1;
+        }
+    }
+    const std::vector<std::uint8_t> found = taken.read();
+    int differing = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) differing += found[i] != expected[i];
+    EXPECT_LE(differing, 32);
+    if (width_px >= 96) {
+        EXPECT_GT(std::ranges::count(expected, 1), 200);
     }
 }
 
@@ -107,27 +136,37 @@ TEST_P(MovingPartsKernels, MembersAgreeWithTheReference) {
     const Grid<std::uint8_t> codes = some_codes(live);
     std::vector<std::uint8_t> seen_free = counts();
     for (auto& count : seen_free) count = count < 8 ? 0 : count;
+    const std::vector<std::uint8_t> seen_taken = counts();
     const RigidTransform T_b_c = moved_a_little();
     std::array<int, 4> seen{};
-    for (const int into_unknown : {0, 1}) {
-        Buffer<std::uint8_t> members(device, map_pixels(shape));
+    for (const auto& [into_unknown, young_frames] : {std::pair{0, 0}, {1, 0}, {0, 12}}) {
+        Buffer<std::uint8_t> members(device, map_pixels(shape)), young(device, map_pixels(shape));
         program.kernel("mark_moving")
             .launch(eight_pixels_each(shape), upload(codes), upload(live),
-                    Buffer<std::uint8_t>(device, seen_free), upload(before), members, shape, k,
-                    to_pose(T_g_c), to_pose(T_b_c), space.cell_m, space.cells_per_side, space.enough_frames,
-                    into_unknown, space.noise);
+                    Buffer<std::uint8_t>(device, seen_free), Buffer<std::uint8_t>(device, seen_taken),
+                    upload(before), members, young, shape, k, to_pose(T_g_c), to_pose(T_b_c), space.cell_m,
+                    space.cells_per_side, space.enough_frames, young_frames, into_unknown, space.noise);
         const std::vector<std::uint8_t> found = test::cropped(shape, members.read());
-        int differing = 0;
+        const std::vector<std::uint8_t> found_young = test::cropped(shape, young.read());
+        int differing = 0, are_young = 0;
         for (int y = 0; y < height_px; ++y) {
             for (int x = 0; x < width_px; ++x) {
+                const bool is_young =
+                    reference::is_young(seen_taken, space, young_frames, live.at(x, y),
+                                        T_g_c * reference::back_project(k, x, y, live.at(x, y)));
                 const int expected =
                     reference::mark_moving(codes.at(x, y), live.at(x, y), x, y, seen_free, before, space,
-                                           into_unknown != 0, k, T_g_c, T_b_c);
+                                           into_unknown != 0, is_young, k, T_g_c, T_b_c);
+                const auto at = static_cast<std::size_t>(y * width_px + x);
                 ++seen[static_cast<std::size_t>(expected)];
-                differing += found[static_cast<std::size_t>(y * width_px + x)] != expected;
+                are_young += is_young ? 1 : 0;
+                differing += found[at] != expected || found_young[at] != (is_young ? 255 : 0);
             }
         }
         EXPECT_LE(differing, width_px * height_px / 50);
+        if (width_px >= 96) {
+            EXPECT_EQ(are_young > 500, young_frames > 0);
+        }
     }
     if (width_px >= 96) {
         EXPECT_GT(*std::ranges::min_element(seen), 20);
@@ -168,6 +207,19 @@ TEST_P(MovingPartsKernels, HeldPixelsAgreeWithTheReference) {
     if (width_px >= 96) {
         EXPECT_GT(passed_on, 100);
     }
+}
+
+TEST_P(MovingPartsKernels, EitherMaskLeavesAPixelOut) {
+    Grid<std::uint8_t> a{width_px, height_px, {}}, b = a;
+    for (int i = 0; i < width_px * height_px; ++i) {
+        a.values.push_back(random() % 3 == 0 ? 255 : 0);
+        b.values.push_back(random() % 3 == 0 ? 1 : 0);
+    }
+    Buffer<std::uint8_t> result(device, map_pixels(shape));
+    program.kernel("either").launch(eight_pixels_each(shape), upload(a), upload(b), result, shape);
+    const std::vector<std::uint8_t> found = test::cropped(shape, result.read());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        ASSERT_EQ(found[i], a.values[i] != 0 || b.values[i] != 0 ? 255 : 0) << i;
 }
 
 TEST_P(MovingPartsKernels, TheMaskIsWidenedByRows) {

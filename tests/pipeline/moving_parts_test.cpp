@@ -63,5 +63,39 @@ TEST(MovingParts, APlateThatIsCarriedPastIsFoundAndLeavesNothing) {
     EXPECT_LT(astray, compared / 200);
 }
 
+/// Somebody who comes in at the right side of the picture while the camera turns to that side: an arm, and
+/// behind its edge the trunk. Where the trunk shows nobody has looked before, so that free space tells
+/// nothing of it.
+void put_arm_and_trunk(std::vector<std::uint16_t>& depth_mm, int frame, const Intrinsics& k) {
+    constexpr int arm_px = 20, arm_mm = 600, trunk_mm = 760;
+    const int left_px = k.width_px - std::min(4 * frame, 100);
+    for (int y = 0; y < k.height_px; ++y) {
+        for (int x = left_px; x < k.width_px; ++x) {
+            const float across = static_cast<float>(x - left_px - 60) / 60.0f;
+            const float round_mm = 100.0f * std::sqrt(std::max(1.0f - across * across, 0.0f));
+            depth_mm[static_cast<std::size_t>(y * k.width_px + x)] = static_cast<std::uint16_t>(
+                x < left_px + arm_px ? static_cast<float>(arm_mm) : static_cast<float>(trunk_mm) - round_mm);
+        }
+    }
+}
+
+RigidTransform turned_to_the_right(int frame) {
+    return moved({0.0f, 0.0f, 0.0f}, 0.4f * static_cast<float>(std::max(frame, 0)), {0.0f, 1.0f, 0.0f});
+}
+
+TEST(MovingParts, WhoComesInWithNewGroundIsFoundWhole) {
+    ReconstructedScene scene(test::corner());
+    for (int frame = -60; frame < 0; ++frame) (void)scene.process(turned_to_the_right(frame));
+    for (int frame = 0; frame < 18; ++frame) {
+        std::vector<std::uint16_t> depth_mm = scene.seen_mm(turned_to_the_right(frame));
+        put_arm_and_trunk(depth_mm, frame, scene.k);
+        const ReconstructionFrame result = scene.process_mm(depth_mm);
+        EXPECT_EQ(result.tracking.state, TrackingState::good) << frame << result.tracking.reason;
+        EXPECT_LT(scene.error(turned_to_the_right(frame)).mm, 1.5f) << frame;
+        if (frame < 12) continue;
+        EXPECT_NEAR(result.moving_share, 4.0f * static_cast<float>(frame) / 160.0f, 0.03f) << frame;
+    }
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,10 +45,15 @@ inline float nearest_in_square_m(const Grid<float>& depth_m, float u_px, float v
     return nearest;
 }
 
-/// The new count of a cell with its centre at p_c in the camera frame.
-inline int remember_free_space(const Grid<float>& depth_m, const Grid<std::uint8_t>& moving,
-                               const FreeSpaceParams& space, const Intrinsics& k, const Eigen::Vector3f& p_c,
-                               int old) {
+/// Frames in which a cell was free, and in which there was a surface in it.
+struct CellCounts {
+    int seen_free, seen_taken;
+};
+
+/// The new counts of a cell with its centre at p_c in the camera frame, in which there is a surface or not.
+inline CellCounts remember_free_space(const Grid<float>& depth_m, const Grid<std::uint8_t>& moving,
+                                      const FreeSpaceParams& space, const Intrinsics& k,
+                                      const Eigen::Vector3f& p_c, bool taken_now, const CellCounts& old) {
     if (p_c.z() <= 0.05f) return old;
     const float a = p_c.x() / p_c.z(), b = p_c.y() / p_c.z();
     const float u_px = a * k.fx_px + k.cx_px, v_px = b * k.fy_px + k.cy_px;
@@ -57,30 +63,52 @@ inline int remember_free_space(const Grid<float>& depth_m, const Grid<std::uint8
     if (p_c.z() > half_m + 0.05f) {
         const float reach_px = k.fx_px * half_m * (1.0f + 0.5f * (a * a + b * b)) / (p_c.z() - half_m);
         if (nearest_in_square_m(depth_m, u_px, v_px, reach_px) > far_m + 3.0f * sigma_z_m(space.noise, far_m))
-            return std::min(old + 1, space.most_frames);
+            return {std::min(old.seen_free + 1, space.most_frames),
+                    old.seen_taken / 2};
     }
+    const int seen_taken = std::min(old.seen_taken + (taken_now ? 1 : 0), 255);
     const float seen_m = depth_m.at(x, y);
     const bool taken = seen_m > 0.0f && moving.at(x, y) == 0 &&
                        std::abs(seen_m - p_c.z()) < half_m + sigma_z_m(space.noise, p_c.z());
-    return taken ? std::max(old - 2, 0) : old;
+    return {taken ? std::max(old.seen_free - 2, 0) : old.seen_free, seen_taken};
+}
+
+/// Of a point in the global frame; nothing outside the cube.
+inline std::optional<std::size_t> cell_index(const FreeSpaceParams& space, const Eigen::Vector3f& p_g) {
+    const Eigen::Vector3f cell = p_g / space.cell_m;
+    const int n = space.cells_per_side;
+    if ((cell.array() < 0.0f).any() || (cell.array() >= static_cast<float>(n)).any()) return std::nullopt;
+    const Eigen::Vector3i i = cell.cast<int>();
+    return static_cast<std::size_t>((i.z() * n + i.y()) * n + i.x());
 }
 
 inline bool in_free_space(const std::vector<std::uint8_t>& seen_free, const FreeSpaceParams& space,
                           const Eigen::Vector3f& p_g) {
-    const Eigen::Vector3f cell = p_g / space.cell_m;
-    const int n = space.cells_per_side;
-    if ((cell.array() < 0.0f).any() || (cell.array() >= static_cast<float>(n)).any()) return false;
-    const Eigen::Vector3i i = cell.cast<int>();
-    return seen_free[static_cast<std::size_t>((i.z() * n + i.y()) * n + i.x())] >= space.enough_frames;
+    const auto cell = cell_index(space, p_g);
+    return cell && seen_free[*cell] >= space.enough_frames;
+}
+
+inline Eigen::Vector3f back_project(const Intrinsics& k, int x, int y, float z_m) {
+    return {(static_cast<float>(x) - k.cx_px) / k.fx_px * z_m,
+            (static_cast<float>(y) - k.cy_px) / k.fy_px * z_m, z_m};
+}
+
+/// A live pixel whose cell held a surface in less than young_frames frames.
+inline bool is_young(const std::vector<std::uint8_t>& seen_taken, const FreeSpaceParams& space,
+                     int young_frames, float live_m, const Eigen::Vector3f& p_g) {
+    const auto cell = cell_index(space, p_g);
+    return live_m > 0.0f && cell && seen_taken[*cell] < young_frames;
 }
 
 /// before_m: nearest depth in the windows of 8 x 8 pixels that begin at a pixel, of the camera b.
 inline ComponentMember mark_moving(int code, float live_m, int x, int y,
                                    const std::vector<std::uint8_t>& seen_free, const Grid<float>& before_m,
-                                   const FreeSpaceParams& space, bool into_unknown, const Intrinsics& k,
-                                   const Eigen::Isometry3f& T_g_c, const Eigen::Isometry3f& T_b_c) {
+                                   const FreeSpaceParams& space, bool into_unknown, bool young,
+                                   const Intrinsics& k, const Eigen::Isometry3f& T_g_c,
+                                   const Eigen::Isometry3f& T_b_c) {
     const bool in_front = code == ASSOCIATION_IN_FRONT || code == ASSOCIATION_SLIGHTLY_IN_FRONT;
-    if (!in_front && code != ASSOCIATION_NO_MODEL && code != ASSOCIATION_BEHIND) return MEMBER_NONE;
+    if (!in_front && code != ASSOCIATION_NO_MODEL && code != ASSOCIATION_BEHIND)
+        return young ? MEMBER_GROWTH : MEMBER_NONE;
     const Eigen::Vector3f ray((static_cast<float>(x) - k.cx_px) / k.fx_px,
                               (static_cast<float>(y) - k.cy_px) / k.fy_px, 1.0f);
     const Eigen::Vector3f p_g = T_g_c * (live_m * ray), p_b = T_b_c * (live_m * ray);
@@ -94,7 +122,8 @@ inline ComponentMember mark_moving(int code, float live_m, int x, int y,
     const float deeper_m = live_m + std::max(space.cell_m, margin_m);
     if (in_free_space(seen_free, space, p_g) && in_free_space(seen_free, space, T_g_c * (deeper_m * ray)))
         return MEMBER_UNKNOWN;
-    return in_front || (into_unknown && code == ASSOCIATION_NO_MODEL) ? MEMBER_GROWTH : MEMBER_NONE;
+    const bool grows = in_front || ((into_unknown || young) && code == ASSOCIATION_NO_MODEL);
+    return grows ? MEMBER_GROWTH : MEMBER_NONE;
 }
 
 /// The new number of frames that a pixel is held; last_m and last_held are of the camera p.
@@ -102,8 +131,9 @@ inline int hold_moving(int label, int member, int code, float live_m, int x, int
                        const Grid<std::uint8_t>& last_held, const Intrinsics& k,
                        const Eigen::Isometry3f& T_p_c, int hold_frames, const SensorNoise& noise) {
     const bool no_model = code == ASSOCIATION_NO_MODEL;
-    if (label == 0 || (label == 1 && (!no_model || member > MEMBER_GROWTH))) return hold_frames;
-    if (!no_model && code != ASSOCIATION_IN_FRONT && code != ASSOCIATION_SLIGHTLY_IN_FRONT) return 0;
+    const bool in_front = code == ASSOCIATION_IN_FRONT || code == ASSOCIATION_SLIGHTLY_IN_FRONT;
+    if (label == 0 || (label == 1 && (in_front || member > MEMBER_GROWTH))) return hold_frames;
+    if (!no_model && !in_front && member != MEMBER_GROWTH) return 0;
     const Eigen::Vector3f ray((static_cast<float>(x) - k.cx_px) / k.fx_px,
                               (static_cast<float>(y) - k.cy_px) / k.fy_px, 1.0f);
     const Eigen::Vector3f p = T_p_c * (live_m * ray);
