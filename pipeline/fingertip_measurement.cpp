@@ -117,28 +117,6 @@ bool looks_like_finger(const Census& census, const FingerFit& fit, const Fingert
            share(fit.inliers) >= config.least_inliers && fit.rms_sigmas <= config.most_rms_sigmas;
 }
 
-/// How far the middle of the finger's upper side is from the fitted skin: there the sensor has no edges to
-/// round off.
-float ridge_offset_m(const LowEnd& end, const FingerShape& shape, const FingertipMeasurementConfig& config) {
-    std::vector<float> offsets_m;
-    const Vector3f ray = shape.center_m.normalized();
-    for (const Vector3f& p : end.points_m) {
-        const Vector3f offset = p - shape.center_m;
-        const float along = offset.dot(shape.axis);
-        if (along < config.ridge_first_radii * shape.radius_m ||
-            along > config.ridge_last_radii * shape.radius_m)
-            continue;
-        const Vector3f across = offset - along * shape.axis;
-        const Vector3f side = across - across.dot(ray) * ray;
-        if (side.norm() > config.ridge_half_radii * shape.radius_m) continue;
-        offsets_m.push_back(distance_m(shape, config.fit, p));
-    }
-    if (offsets_m.size() < 4) return 0.0f;
-    const auto half = offsets_m.begin() + static_cast<std::ptrdiff_t>(offsets_m.size() / 2);
-    std::ranges::nth_element(offsets_m, half);
-    return std::clamp(*half, -config.most_ridge_m, config.most_ridge_m);
-}
-
 }  // namespace
 
 std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture, const LowEnd& end,
@@ -172,8 +150,9 @@ std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture,
     tip.shape = fit.shape;
     tip.normal_c = foot.normal_c;
     tip.surface_c_m = foot.point_c_m;
-    tip.height_m = center_height_m + ridge_offset_m(end, fit.shape, config) - fit.shape.radius_m -
-                   2.0f * bias_m - local_drift_m(picture, foot, config.drift);
+    tip.height_m =
+        center_height_m - fit.shape.radius_m - 2.0f * bias_m - local_drift_m(picture, foot, config.drift);
+    tip.height_sigma_m = pad_sigma_m(fit, foot.normal_c);
     if (tip.height_m < -config.most_below_m) return std::nullopt;
     tip.rms_sigmas = fit.rms_sigmas;
     tip.points = fit.inliers;

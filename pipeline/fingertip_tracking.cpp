@@ -81,7 +81,7 @@ void FingertipTracking::follow(Track& track, const FingertipCandidate& tip, floa
     track.missed = track.missed_in_sight = 0;
     track.unseen_s = 0.0f;
     ++track.age;
-    track.low = tip.height_m < config_.down_m * noise_factor(tip) ? track.low + 1 : 0;
+    track.low = tip.height_m < down_limit_m(tip) ? track.low + 1 : 0;
     const float frames = std::min(static_cast<float>(track.age), config_.radius_frames);
     track.radius.radius_m += (tip.shape.radius_m - track.radius.radius_m) / frames;
     track.radius.sigma_m = std::max(config_.radius_floor_m, config_.radius_first_sigma_m / std::sqrt(frames));
@@ -148,8 +148,13 @@ float FingertipTracking::noise_factor(const FingertipCandidate& tip) const {
     return std::clamp(factor, 1.0f, config_.most_noise);
 }
 
+float FingertipTracking::down_limit_m(const FingertipCandidate& tip) const {
+    const float unsure_m = std::max(0.0f, tip.height_sigma_m - noise_factor(tip) * config_.sure_sigma_m);
+    return noise_factor(tip) * config_.down_m - config_.unsure_gain * unsure_m;
+}
+
 bool FingertipTracking::touches(const Track& track, const Vector2f& uv) const {
-    const float limit_m = noise_factor(track.tip) * (track.was_down ? config_.up_m : config_.down_m);
+    const float limit_m = track.was_down ? noise_factor(track.tip) * config_.up_m : down_limit_m(track.tip);
     if (track.tip.height_m >= limit_m || !in_area(uv, config_.area_margin)) return false;
     if (track.was_down) return true;
     const int frames = is_beside_touch(track) ? config_.beside_frames : 1;
@@ -197,7 +202,7 @@ TrackedTouches FingertipTracking::update(std::span<const FingertipCandidate> tip
         track.id = next_id_++;
         track.tip = tips[i];
         track.radius = {tips[i].shape.radius_m, config_.radius_first_sigma_m};
-        track.low = tips[i].height_m < config_.down_m * noise_factor(tips[i]) ? 1 : 0;
+        track.low = tips[i].height_m < down_limit_m(tips[i]) ? 1 : 0;
         tracks_.push_back(track);
     }
     TrackedTouches out;

@@ -14,7 +14,10 @@ namespace touchstone {
 
 struct FingertipTrackingConfig {
     SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< Kinect v1, Nguyen et al. 2012
-    float down_m = 0.004f;        ///< pad lower than this, up to 1 m from the camera: contact
+    float down_m = 0.004f;  ///< pad lower than this, up to 1 m from the camera: contact
+    float sure_sigma_m =
+        0.0012f;                  ///< a height less well known than this must be lower to begin a contact ...
+    float unsure_gain = 2.0f;     ///< ... by so much of the rest
     float up_m = 0.0065f;         ///< pad higher than this: no contact any more
     float most_noise = 1.6f;      ///< both grow with the noise of depth, to so many times
     float gate_m = 0.045f;        ///< a finger moves at most this far from where it is expected ...
@@ -93,6 +96,8 @@ class FingertipTracking {
     bool is_beside_touch(const Track& track) const;
     /// Of down_m and up_m at this tip.
     float noise_factor(const FingertipCandidate& tip) const;
+    /// A pad lower than this comes into contact.
+    float down_limit_m(const FingertipCandidate& tip) const;
     bool touches(const Track& track, const Eigen::Vector2f& uv) const;
     void follow(Track& track, const FingertipCandidate& tip, float dt_s) const;
     void report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics, TrackedTouches& out);

@@ -74,6 +74,19 @@ TEST_F(Tracking, ContactEndsHigherThanItBegins) {
     EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.007f)}).touches.at(0).phase, TouchPhase::up);
 }
 
+/// A height known to 2.2 mm must be 2 mm lower than one known to 1.2 mm to begin a contact, not to keep it.
+TEST_F(Tracking, AnUnsureHeightMustBeLowerToBeginAContact) {
+    const auto unsure = [](float height_m) {
+        FingertipCandidate candidate = tip(0.0f, 0.0f, height_m);
+        candidate.height_sigma_m = 0.0022f;
+        return candidate;
+    };
+    frame({unsure(0.02f)});
+    EXPECT_TRUE(frame({unsure(0.0022f)}).touches.empty());
+    EXPECT_EQ(frame({unsure(0.0018f)}).touches.at(0).phase, TouchPhase::down);
+    EXPECT_EQ(frame({unsure(0.006f)}).touches.at(0).phase, TouchPhase::move);
+}
+
 /// At 1.5 m sigma_z is 1.85 times that at 1 m; the limits grow to at most 1.6 times.
 TEST_F(Tracking, LimitsGrowWithTheNoiseOfDepth) {
     const auto far_tip = [&](float height_m) {
