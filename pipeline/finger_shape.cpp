@@ -173,11 +173,6 @@ float distance_m(const FingerShape& shape, const FingerFitConfig& config, const 
     return residual_of(shape, config, point_m).distance_m;
 }
 
-float end_sigma_m(const FingerFit& fit) {
-    const Eigen::Vector3d axis = fit.shape.axis.cast<double>();
-    return static_cast<float>(std::sqrt(axis.dot(fit.covariance.topLeftCorner<3, 3>() * axis)));
-}
-
 float pad_sigma_m(const FingerFit& fit, const Vector3f& normal) {
     Vector6d pad;
     pad << normal.cast<double>(), 0.0, 0.0, -1.0;
@@ -211,7 +206,7 @@ FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& gues
     fit.inliers = last.inliers;
     fit.rms_sigmas = std::sqrt(last.square_sum / static_cast<float>(std::max(1, last.inliers)));
     fit.covariance = last.JTJ.ldlt().solve(Matrix6d::Identity());
-    fit.ok = last.inliers >= 12 && end_sigma_m(fit) <= config.most_end_sigma_m;
+    fit.ok = last.inliers >= 12;
     return fit;
 }
 

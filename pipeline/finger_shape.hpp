@@ -44,7 +44,6 @@ struct FingerFitConfig {
     int rough_rounds = 4;              ///< with the first gate
     int rounds = 8;                    ///< at most, in all
     float settled_m = 5e-5f;           ///< a smaller step ends the fit
-    float most_end_sigma_m = 0.005f;   ///< a round end less well known is not seen: the shape slid off it
     int most_points = 120;             ///< of more, an even choice is used
 };
 
@@ -61,8 +60,6 @@ struct FingerFit {
 /// Distance of a point from the finger's skin, positive outside.
 float distance_m(const FingerShape& shape, const FingerFitConfig& config, const Eigen::Vector3f& point_m);
 
-/// Standard deviation of the place of the round end along the axis.
-float end_sigma_m(const FingerFit& fit);
 /// Standard deviation of the place of the pad along a unit direction away from the finger's upper side.
 float pad_sigma_m(const FingerFit& fit, const Eigen::Vector3f& normal);
 

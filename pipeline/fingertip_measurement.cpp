@@ -67,6 +67,12 @@ OutlineConstraint outline_of(const Intrinsics& k, const LowEnd& end, const Finge
     return outline;
 }
 
+/// Whether the points of the fit hold the pad's height, too.
+bool is_pad_held(const TablePicture& picture, const FingerFit& fit, float most_sigma_m) {
+    const SurfacePoint foot = foot_point(picture, fit.shape.center_m);
+    return foot.known && pad_sigma_m(fit, foot.normal_c) <= most_sigma_m;
+}
+
 FingerFit fit_with_outline(const TablePicture& picture, const LowEnd& end, FingerGuess guess,
                            const FingertipMeasurementConfig& config) {
     const float sigma_m = sigma_z_m(picture.noise, end.seed_m.z());
@@ -77,7 +83,9 @@ FingerFit fit_with_outline(const TablePicture& picture, const LowEnd& end, Finge
     guess.shape = fit.shape;
     guess.rough = false;
     guess.outline = outline_of(picture.intrinsics, end, fit.shape, config);
-    return fit_finger(end.points_m, guess, sigma_m, config.fit);
+    fit = fit_finger(end.points_m, guess, sigma_m, config.fit);
+    fit.ok = fit.ok && is_pad_held(picture, fit, config.most_height_sigma_m);
+    return fit;
 }
 
 /// How the points around a low end fare under a fit.

@@ -27,7 +27,9 @@ struct FingertipMeasurementConfig {
     float radius_bias_px = -0.1f;  ///< fitted radii are this much short: the sensor's window blurs edges
     LocalDriftConfig drift;
     float most_below_m =
-        0.010f;                ///< a pad farther below the surface is a wrong fit: four sigmas of its height
+        0.010f;  ///< a pad farther below the surface is a wrong fit: four sigmas of its height
+    float most_height_sigma_m =
+        0.005f;                ///< a pad less well known is not seen: the shape slid along the shaft
     float sure_score = 0.75f;  ///< inliers less unexplained, of the points: a followed finger fits so well
     float known_reach_m = 0.025f;  ///< a followed finger this close is the same one
 };

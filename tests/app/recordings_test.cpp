@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,6 +42,16 @@ class Recordings : public testing::Test {
     Image8 map(int frame) const {
         return read_png_8(folder / ("maps/" + frame_name(frame) + ".foreground.png"));
     }
+    /// Events of the last play() that name a touch, and frames that were live.
+    std::pair<int, int> touches_and_live_frames() const {
+        std::ifstream events(folder / "events.jsonl");
+        int touches = 0, live = 0;
+        for (std::string line; std::getline(events, line);) {
+            touches += line.find("\"phase\"") != std::string::npos;
+            live += line.find("\"state\":\"live\"") != std::string::npos;
+        }
+        return {touches, live};
+    }
     static std::string frame_name(int frame) {
         const std::string digits = std::to_string(frame);
         return "frame-" + std::string(6 - digits.size(), '0') + digits;
@@ -61,6 +72,59 @@ TEST_F(Recordings, PersonInARoomBecomesForegroundAndLeavesNothingBehind) {
     for (const int frame : {80, 150, 220, 280}) EXPECT_GT(share(frame), 0.05) << frame;
     for (int frame = 330; frame <= 345; ++frame) EXPECT_LT(share(frame), 0.005) << frame;
     for (int frame = 20; frame < 25; ++frame) EXPECT_LT(share(frame), 0.005) << frame;
+    const auto [touches, live] = touches_and_live_frames();
+    EXPECT_EQ(touches, 0);
+    EXPECT_GT(live, 300);
+}
+
+/// Millimetres in which the recording of a pointing hand has no reading become 0.
+Image16 without_invalid(Image16 picture) {
+    for (std::uint16_t& z : picture.pixels)
+        if (z > 10000) z = 0;
+    return picture;
+}
+
+/// The median of the readings of each pixel, 0 where there is none.
+Image16 median_of(const std::vector<Image16>& pictures) {
+    Image16 median = pictures.front();
+    std::vector<std::uint16_t> readings;
+    for (std::size_t i = 0; i < median.pixels.size(); ++i) {
+        readings.clear();
+        for (const Image16& picture : pictures)
+            if (picture.pixels[i] != 0) readings.push_back(picture.pixels[i]);
+        const auto half = readings.begin() + static_cast<std::ptrdiff_t>(readings.size() / 2);
+        std::ranges::nth_element(readings, half);
+        median.pixels[i] = readings.empty() ? std::uint16_t{0} : *half;
+    }
+    return median;
+}
+
+/// A real hand that points at a desk and does not touch it, over the desk's median: what is more than 30 mm
+/// before it, since the camera on a head wanders by up to 25.
+TEST_F(Recordings, APointingHandOverItsDeskTouchesNothing) {
+    const std::filesystem::path hand = data_dir / "cvar-hand-p7";
+    std::vector<Image16> pictures;
+    for (int frame = 0; frame < 400; ++frame) {
+        const std::filesystem::path file = hand / (frame_name(frame) + ".depth.png");
+        if (std::filesystem::exists(file)) pictures.push_back(without_invalid(read_png_16(file)));
+    }
+    ASSERT_GT(pictures.size(), 250u);
+    const Image16 desk = median_of(pictures);
+    constexpr int alone = 25;
+    for (int frame = 0; frame < alone + std::ssize(pictures); ++frame) {
+        Image16 shown = desk;
+        for (std::size_t i = 0; frame >= alone && i < shown.pixels.size(); ++i) {
+            const std::uint16_t z = pictures[static_cast<std::size_t>(frame - alone)].pixels[i];
+            if (z != 0 && (shown.pixels[i] == 0 || z + 30 < shown.pixels[i])) shown.pixels[i] = z;
+        }
+        write_png(folder / (frame_name(frame) + ".depth.png"), shown);
+    }
+    std::filesystem::copy_file(hand / "camera-intrinsics.txt", folder / "camera-intrinsics.txt");
+    const ProgramResult result = play("seq:" + folder.path().string());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto [touches, live] = touches_and_live_frames();
+    EXPECT_EQ(touches, 0);
+    EXPECT_GT(live, 250);
 }
 
 TEST_F(Recordings, OniFilePlaysThroughTheStockDriver) {
