@@ -110,6 +110,9 @@ std::vector<ConfigKey> config_keys(Config& config) {
     add_volume_keys(keys, config);
     add_object_keys(keys, config);
     add_foreground_keys(keys, config);
+    keys.section("touch");
+    keys.add("hidden_s", config.interaction.touch.tracking.hidden_s, 0, 2,
+             "a touch that something covers is kept for so long");
     keys.section("tuio");
     keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");

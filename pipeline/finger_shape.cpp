@@ -173,6 +173,12 @@ float distance_m(const FingerShape& shape, const FingerFitConfig& config, const 
     return residual_of(shape, config, point_m).distance_m;
 }
 
+float pad_sigma_m(const FingerFit& fit, const Vector3f& normal) {
+    Vector6d pad;
+    pad << normal.cast<double>(), 0.0, 0.0, -1.0;
+    return static_cast<float>(std::sqrt(pad.dot(fit.covariance * pad)));
+}
+
 FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
                      const FingerFitConfig& config) {
     const std::vector<Vector3f> chosen = even_choice(points_m, config.most_points);
@@ -199,6 +205,7 @@ FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& gues
     fit.points = last.points;
     fit.inliers = last.inliers;
     fit.rms_sigmas = std::sqrt(last.square_sum / static_cast<float>(std::max(1, last.inliers)));
+    fit.covariance = last.JTJ.ldlt().solve(Matrix6d::Identity());
     fit.ok = last.inliers >= 12;
     return fit;
 }

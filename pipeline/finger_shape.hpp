@@ -52,11 +52,16 @@ struct FingerFit {
     int points = 0;          ///< in the reach of the shape: the round end and length_m behind it
     int inliers = 0;         ///< of them within the gate
     float rms_sigmas = 0.f;  ///< of the inliers
-    bool ok = false;         ///< a well-posed fit inside the limits
+    /// Of centre (3), two turns of the axis and radius, priors included.
+    Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+    bool ok = false;  ///< a well-posed fit inside the limits
 };
 
 /// Distance of a point from the finger's skin, positive outside.
 float distance_m(const FingerShape& shape, const FingerFitConfig& config, const Eigen::Vector3f& point_m);
+
+/// Standard deviation of the place of the pad along a unit direction away from the finger's upper side.
+float pad_sigma_m(const FingerFit& fit, const Eigen::Vector3f& normal);
 
 /// The finger that best explains points of its visible side, by weighted Gauss-Newton from `guess`.
 /// `sigma_z_m` is the noise of a point along its ray.

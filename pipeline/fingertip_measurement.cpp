@@ -67,6 +67,12 @@ OutlineConstraint outline_of(const Intrinsics& k, const LowEnd& end, const Finge
     return outline;
 }
 
+/// Whether the points of the fit hold the pad's height, too.
+bool is_pad_held(const TablePicture& picture, const FingerFit& fit, float most_sigma_m) {
+    const SurfacePoint foot = foot_point(picture, fit.shape.center_m);
+    return foot.known && pad_sigma_m(fit, foot.normal_c) <= most_sigma_m;
+}
+
 FingerFit fit_with_outline(const TablePicture& picture, const LowEnd& end, FingerGuess guess,
                            const FingertipMeasurementConfig& config) {
     const float sigma_m = sigma_z_m(picture.noise, end.seed_m.z());
@@ -77,7 +83,9 @@ FingerFit fit_with_outline(const TablePicture& picture, const LowEnd& end, Finge
     guess.shape = fit.shape;
     guess.rough = false;
     guess.outline = outline_of(picture.intrinsics, end, fit.shape, config);
-    return fit_finger(end.points_m, guess, sigma_m, config.fit);
+    fit = fit_finger(end.points_m, guess, sigma_m, config.fit);
+    fit.ok = fit.ok && is_pad_held(picture, fit, config.most_height_sigma_m);
+    return fit;
 }
 
 /// How the points around a low end fare under a fit.
@@ -117,28 +125,6 @@ bool looks_like_finger(const Census& census, const FingerFit& fit, const Fingert
            share(fit.inliers) >= config.least_inliers && fit.rms_sigmas <= config.most_rms_sigmas;
 }
 
-/// How far the middle of the finger's upper side is from the fitted skin: there the sensor has no edges to
-/// round off.
-float ridge_offset_m(const LowEnd& end, const FingerShape& shape, const FingertipMeasurementConfig& config) {
-    std::vector<float> offsets_m;
-    const Vector3f ray = shape.center_m.normalized();
-    for (const Vector3f& p : end.points_m) {
-        const Vector3f offset = p - shape.center_m;
-        const float along = offset.dot(shape.axis);
-        if (along < config.ridge_first_radii * shape.radius_m ||
-            along > config.ridge_last_radii * shape.radius_m)
-            continue;
-        const Vector3f across = offset - along * shape.axis;
-        const Vector3f side = across - across.dot(ray) * ray;
-        if (side.norm() > config.ridge_half_radii * shape.radius_m) continue;
-        offsets_m.push_back(distance_m(shape, config.fit, p));
-    }
-    if (offsets_m.size() < 4) return 0.0f;
-    const auto half = offsets_m.begin() + static_cast<std::ptrdiff_t>(offsets_m.size() / 2);
-    std::ranges::nth_element(offsets_m, half);
-    return std::clamp(*half, -config.most_ridge_m, config.most_ridge_m);
-}
-
 }  // namespace
 
 std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture, const LowEnd& end,
@@ -172,8 +158,9 @@ std::optional<FingertipCandidate> measure_fingertip(const TablePicture& picture,
     tip.shape = fit.shape;
     tip.normal_c = foot.normal_c;
     tip.surface_c_m = foot.point_c_m;
-    tip.height_m = center_height_m + ridge_offset_m(end, fit.shape, config) - fit.shape.radius_m -
-                   2.0f * bias_m - local_drift_m(picture, foot, config.drift);
+    tip.height_m =
+        center_height_m - fit.shape.radius_m - 2.0f * bias_m - local_drift_m(picture, foot, config.drift);
+    tip.height_sigma_m = pad_sigma_m(fit, foot.normal_c);
     if (tip.height_m < -config.most_below_m) return std::nullopt;
     tip.rms_sigmas = fit.rms_sigmas;
     tip.points = fit.inliers;

@@ -24,8 +24,9 @@ float FingertipTracking::seconds_since_last(std::uint64_t timestamp_us) const {
     return std::clamp(static_cast<float>(timestamp_us - last_us_) * 1e-6f, 0.005f, 0.2f);
 }
 
-Vector3f FingertipTracking::expected_center_m(const Track& track, float dt_s) {
-    const Vector3f step = dt_s * static_cast<float>(1 + track.missed) * track.velocity_m_s;
+Vector3f FingertipTracking::expected_center_m(const Track& track, float dt_s) const {
+    const int frames = 1 + std::min(track.missed, config_.bridged_frames);
+    const Vector3f step = dt_s * static_cast<float>(frames) * track.velocity_m_s;
     const float below_m = -(track.tip.height_m + step.dot(track.tip.normal_c));
     return track.tip.shape.center_m + step + std::clamp(below_m, 0.0f, step.norm()) * track.tip.normal_c;
 }
@@ -41,13 +42,19 @@ std::vector<KnownFinger> FingertipTracking::expected(std::uint64_t timestamp_us)
     return known;
 }
 
+float FingertipTracking::gate_of(const Track& track, float dt_s) const {
+    if (track.age < 2) return config_.new_gate_m;
+    const float step_m = (expected_center_m(track, dt_s) - track.tip.shape.center_m).norm();
+    const float gate_m = config_.gate_m + config_.gate_steps * step_m;
+    return track.missed > config_.bridged_frames ? std::max(gate_m, config_.hidden_gate_m) : gate_m;
+}
+
 std::vector<int> FingertipTracking::assign(std::span<const FingertipCandidate> tips, float dt_s) const {
     std::vector<std::tuple<float, std::size_t, std::size_t>> pairs;
     for (std::size_t t = 0; t < tracks_.size(); ++t) {
         const Track& track = tracks_[t];
         const Vector3f expected = expected_center_m(track, dt_s);
-        const float step_m = (expected - track.tip.shape.center_m).norm();
-        const float gate = track.age < 2 ? config_.new_gate_m : config_.gate_m + config_.gate_steps * step_m;
+        const float gate = gate_of(track, dt_s);
         for (std::size_t i = 0; i < tips.size(); ++i) {
             const float distance = (tips[i].shape.center_m - expected).norm();
             if (distance <= gate) pairs.emplace_back(distance, t, i);
@@ -71,12 +78,35 @@ void FingertipTracking::follow(Track& track, const FingertipCandidate& tip, floa
     const float gain = track.age < 2 ? 1.0f : config_.velocity_gain;
     track.velocity_m_s += gain * (velocity - track.velocity_m_s);
     track.tip = tip;
-    track.missed = 0;
+    track.missed = track.missed_in_sight = 0;
+    track.unseen_s = 0.0f;
     ++track.age;
-    track.low = tip.height_m < config_.down_m * noise_factor(tip) ? track.low + 1 : 0;
+    track.low = tip.height_m < down_limit_m(tip) ? track.low + 1 : 0;
     const float frames = std::min(static_cast<float>(track.age), config_.radius_frames);
     track.radius.radius_m += (tip.shape.radius_m - track.radius.radius_m) / frames;
     track.radius.sigma_m = std::max(config_.radius_floor_m, config_.radius_first_sigma_m / std::sqrt(frames));
+}
+
+void FingertipTracking::miss(Track& track, float dt_s, const CoverTest& is_covered) const {
+    FingerShape shape = track.tip.shape;
+    shape.center_m = expected_center_m(track, dt_s);
+    const bool covered = track.down && is_covered && is_covered(shape);
+    ++track.missed;
+    track.missed_in_sight = covered ? 0 : track.missed_in_sight + 1;
+    track.unseen_s += dt_s;
+}
+
+bool FingertipTracking::is_waited_for(const Track& track) const {
+    const bool was_covered = track.missed_in_sight < track.missed;
+    return track.missed_in_sight <= config_.bridged_frames &&
+           (!was_covered || track.missed <= config_.bridged_frames || track.unseen_s <= config_.hidden_s);
+}
+
+FingerState FingertipTracking::state_of(const Track& track) const {
+    const bool seen = track.missed == 0;
+    if (!track.down) return seen ? FingerState::hover : FingerState::away;
+    if (!seen) return FingerState::hidden;
+    return track.dragged ? FingerState::dragging : FingerState::down;
 }
 
 void FingertipTracking::report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics,
@@ -86,9 +116,15 @@ void FingertipTracking::report(Track& track, const InteractiveArea& area, const 
     const bool was_down = track.was_down;
     if (seen) {
         track.down = touches(track, uv);
-    } else if (track.missed > config_.bridged_frames || is_doubled(track)) {
+    } else if (!is_waited_for(track) || is_doubled(track)) {
         track.down = false;
     }
+    if (track.down && !was_down) {
+        track.down_c_m = track.tip.surface_c_m;
+        track.dragged = false;
+    }
+    track.dragged = track.dragged || (track.tip.surface_c_m - track.down_c_m).norm() > config_.drag_m;
+    track.last.state = state_of(track);
     if (was_down && !track.down) {
         out.touches.push_back({track.last, TouchPhase::up});
         if (seen) out.touches.back().tip.id = track.id;
@@ -112,8 +148,13 @@ float FingertipTracking::noise_factor(const FingertipCandidate& tip) const {
     return std::clamp(factor, 1.0f, config_.most_noise);
 }
 
+float FingertipTracking::down_limit_m(const FingertipCandidate& tip) const {
+    const float unsure_m = std::max(0.0f, tip.height_sigma_m - noise_factor(tip) * config_.sure_sigma_m);
+    return noise_factor(tip) * config_.down_m - config_.unsure_gain * unsure_m;
+}
+
 bool FingertipTracking::touches(const Track& track, const Vector2f& uv) const {
-    const float limit_m = noise_factor(track.tip) * (track.was_down ? config_.up_m : config_.down_m);
+    const float limit_m = track.was_down ? noise_factor(track.tip) * config_.up_m : down_limit_m(track.tip);
     if (track.tip.height_m >= limit_m || !in_area(uv, config_.area_margin)) return false;
     if (track.was_down) return true;
     const int frames = is_beside_touch(track) ? config_.beside_frames : 1;
@@ -139,14 +180,14 @@ bool FingertipTracking::is_doubled(const Track& track) const {
 
 TrackedTouches FingertipTracking::update(std::span<const FingertipCandidate> tips,
                                          const InteractiveArea& area, const Intrinsics& intrinsics,
-                                         std::uint64_t timestamp_us) {
+                                         std::uint64_t timestamp_us, const CoverTest& is_covered) {
     const float dt_s = seconds_since_last(timestamp_us);
     last_us_ = timestamp_us;
     const std::vector<int> tip_of_track = assign(tips, dt_s);
     std::vector<bool> taken(tips.size(), false);
     for (std::size_t t = 0; t < tracks_.size(); ++t) {
         if (tip_of_track[t] < 0) {
-            ++tracks_[t].missed;
+            miss(tracks_[t], dt_s, is_covered);
             continue;
         }
         const auto i = static_cast<std::size_t>(tip_of_track[t]);
@@ -161,13 +202,14 @@ TrackedTouches FingertipTracking::update(std::span<const FingertipCandidate> tip
         track.id = next_id_++;
         track.tip = tips[i];
         track.radius = {tips[i].shape.radius_m, config_.radius_first_sigma_m};
-        track.low = tips[i].height_m < config_.down_m * noise_factor(tips[i]) ? 1 : 0;
+        track.low = tips[i].height_m < down_limit_m(tips[i]) ? 1 : 0;
         tracks_.push_back(track);
     }
     TrackedTouches out;
     for (Track& track : tracks_) track.was_down = track.down;
     for (Track& track : tracks_) report(track, area, intrinsics, out);
-    std::erase_if(tracks_, [&](const Track& track) { return track.missed > config_.bridged_frames; });
+    std::erase_if(tracks_,
+                  [&](const Track& track) { return !track.down && track.missed > config_.bridged_frames; });
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/finger_cover.hpp"
 #include "pipeline/fingertip_detection.hpp"
 #include "pipeline/fingertip_tracking.hpp"
 #include "pipeline/maps.hpp"
@@ -18,6 +19,7 @@ struct TouchDetectionConfig {
     TouchMapConfig map;
     FingertipDetectionConfig fingertips;
     FingertipTrackingConfig tracking;
+    FingerCoverConfig cover;
 };
 
 /// What touches are looked for in. All maps have the camera's MapShape.

@@ -7,6 +7,15 @@ namespace touchstone {
 
 enum class TouchPhase { down, move, up };
 
+/// What a finger does, as far as the camera tells.
+enum class FingerState {
+    away,      ///< not seen, and not in contact when it was
+    hover,     ///< above the surface
+    down,      ///< in contact where it came down
+    dragging,  ///< in contact, and has moved since
+    hidden,    ///< was in contact and is not seen: unknown, not up
+};
+
 /// A finger over or on the surface, as the UI and the sinks see it.
 struct Fingertip {
     int id = 0;                                  ///< the same as long as the finger is followed
@@ -14,9 +23,11 @@ struct Fingertip {
     Eigen::Vector2f pixel_px{0.f, 0.f};          ///< that point in the depth picture
     Eigen::Vector2f area_uv{0.f, 0.f};           ///< that point in the interactive area, 0..1 inside it
     float height_m = 0.f;                        ///< of the finger's pad above the surface, signed distance
+    FingerState state = FingerState::away;
 };
 
-/// A finger in contact. `up` is sent once, in the first frame without contact, with the last known place.
+/// A finger in contact; a hidden one goes on as `move` at its last place. `up` is sent once, in the first
+/// frame without contact, with the last known place.
 struct TouchEvent {
     Fingertip tip;
     TouchPhase phase = TouchPhase::down;

@@ -11,8 +11,9 @@ namespace {
 using Eigen::Vector3f;
 
 /// Points on the side of a finger that faces a camera at the origin.
-std::vector<Vector3f> visible_points(const FingerShape& shape, const FingerFitConfig& config, float noise_m) {
-    std::mt19937 random(5);
+std::vector<Vector3f> visible_points(const FingerShape& shape, const FingerFitConfig& config, float noise_m,
+                                     unsigned seed = 5) {
+    std::mt19937 random(seed);
     std::uniform_real_distribution<float> along(-1.0f, 3.0f), around(0.0f, 6.2832f);
     std::normal_distribution<float> normal(0.0f, 1.0f);
     const Vector3f u = shape.axis.unitOrthogonal(), v = shape.axis.cross(u);
@@ -105,6 +106,50 @@ TEST(FingerShape, TheOutlineHoldsTheEndOfAShaftWithoutItsTip) {
     guess.outline.sigma_m = 0.0005f;
     const FingerFit held = fit_finger(points, guess, 0.0018f, config);
     EXPECT_LT(std::abs((held.shape.center_m - slanted.center_m).dot(slanted.axis)), 1.5e-3f);
+}
+
+/// Without an outline and without points on the round end, the shape can slide along the shaft.
+TEST(FingerShape, AShaftWithoutTipAndOutlineDoesNotHoldThePad) {
+    const FingerFitConfig config;
+    const Vector3f normal(0.0f, 0.0f, -1.0f);
+    std::vector<Vector3f> shaft;
+    const std::vector<Vector3f> whole = visible_points(slanted, config, 0.0018f);
+    for (const Vector3f& p : whole)
+        if ((p - slanted.center_m).dot(slanted.axis) > 0.006f) shaft.push_back(p);
+    ASSERT_GT(shaft.size(), 100u);
+    FingerGuess guess = held_by_outline(slanted);
+    EXPECT_LT(pad_sigma_m(fit_finger(shaft, guess, 0.0018f, config), normal), 2e-3f);
+    EXPECT_LT(pad_sigma_m(fit_finger(whole, guess, 0.0018f, config), normal), 2e-3f);
+    guess.outline = {};
+    const FingerFit slid = fit_finger(shaft, guess, 0.0018f, config);
+    EXPECT_GE(slid.inliers, 12);
+    EXPECT_GT(pad_sigma_m(slid, normal), 5e-3f);
+}
+
+/// The scatter of the pad over 200 noisy views, against what the fits say: the weights of Tukey's loss give
+/// some of the points away, so that the fits may say more, by a quarter.
+TEST(FingerShape, ThePadScattersAsItsSigmaSays) {
+    const FingerFitConfig config;
+    const Vector3f normal(0.0f, 0.0f, -1.0f);
+    FingerGuess guess = held_by_outline(slanted);
+    guess.radius = {slanted.radius_m, 1e-4f};
+    double sum = 0.0, squares = 0.0, variances = 0.0;
+    constexpr int views = 200;
+    for (unsigned seed = 1; seed <= views; ++seed) {
+        const FingerFit fit =
+            fit_finger(visible_points(slanted, config, 0.0018f, seed), guess, 0.0018f, config);
+        ASSERT_TRUE(fit.ok);
+        const double pad = static_cast<double>(normal.dot(fit.shape.center_m - slanted.center_m)) -
+                           static_cast<double>(fit.shape.radius_m - slanted.radius_m);
+        sum += pad;
+        squares += pad * pad;
+        variances += std::pow(static_cast<double>(pad_sigma_m(fit, normal)), 2.0);
+    }
+    const double scatter = std::sqrt(squares / views - sum * sum / views / views);
+    const double said = std::sqrt(variances / views);
+    std::printf("scatter %.2f mm, said %.2f mm\n", 1e3 * scatter, 1e3 * said);
+    EXPECT_GT(scatter, 0.6 * said);
+    EXPECT_LT(scatter, 1.5 * said);
 }
 
 TEST(FingerShape, TooFewPointsAreNoFinger) {

@@ -22,9 +22,14 @@ class Tracking : public testing::Test {
         candidate.points = 60;
         return candidate;
     }
-    TrackedTouches frame(const std::vector<FingertipCandidate>& tips) {
+    TrackedTouches frame(const std::vector<FingertipCandidate>& tips, bool is_covered = false) {
         time_us += 33333;
-        return tracking.update(tips, area, k, time_us);
+        return tracking.update(tips, area, k, time_us, [=](const FingerShape&) { return is_covered; });
+    }
+    /// A finger that is down at x = 0. Its id.
+    int finger_down() {
+        frame({tip(0.0f, 0.0f, 0.01f)});
+        return frame({tip(0.0f, 0.0f, 0.0f)}).touches.at(0).tip.id;
     }
 
     Intrinsics k{575.8f, 575.8f, 319.5f, 239.5f, 640, 480, {0, 0}};
@@ -67,6 +72,19 @@ TEST_F(Tracking, ContactEndsHigherThanItBegins) {
     EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.003f)}).touches.at(0).phase, TouchPhase::down);
     EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.005f)}).touches.at(0).phase, TouchPhase::move);
     EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.007f)}).touches.at(0).phase, TouchPhase::up);
+}
+
+/// A height known to 2.2 mm must be 2 mm lower than one known to 1.2 mm to begin a contact, not to keep it.
+TEST_F(Tracking, AnUnsureHeightMustBeLowerToBeginAContact) {
+    const auto unsure = [](float height_m) {
+        FingertipCandidate candidate = tip(0.0f, 0.0f, height_m);
+        candidate.height_sigma_m = 0.0022f;
+        return candidate;
+    };
+    frame({unsure(0.02f)});
+    EXPECT_TRUE(frame({unsure(0.0022f)}).touches.empty());
+    EXPECT_EQ(frame({unsure(0.0018f)}).touches.at(0).phase, TouchPhase::down);
+    EXPECT_EQ(frame({unsure(0.006f)}).touches.at(0).phase, TouchPhase::move);
 }
 
 /// At 1.5 m sigma_z is 1.85 times that at 1 m; the limits grow to at most 1.6 times.
@@ -116,6 +134,82 @@ TEST_F(Tracking, AHiddenFingerIsUnknownNotUp) {
     ASSERT_EQ(back.touches.size(), 1u);
     EXPECT_EQ(back.touches[0].phase, TouchPhase::move);
     EXPECT_EQ(back.touches[0].tip.id, id);
+}
+
+/// 0.3 s are nine frames.
+TEST_F(Tracking, ACoveredFingerIsKeptForItsTimeAndThenLiftedOnce) {
+    const int id = finger_down();
+    for (int i = 0; i < 9; ++i) {
+        const auto out = frame({}, true);
+        ASSERT_EQ(out.touches.size(), 1u) << i;
+        EXPECT_EQ(out.touches[0].phase, TouchPhase::move);
+        EXPECT_EQ(out.touches[0].tip.id, id);
+        EXPECT_EQ(out.touches[0].tip.state, FingerState::hidden);
+        EXPECT_TRUE(out.touches[0].tip.surface_c_m.isApprox(Vector3f(0.0f, 0.0f, 1.0f)));
+    }
+    EXPECT_EQ(frame({}, true).touches.at(0).phase, TouchPhase::up);
+    EXPECT_TRUE(frame({}, true).touches.empty());
+}
+
+TEST_F(Tracking, ACoveredFingerKeepsItsIdWhenItComesBackNear) {
+    const int id = finger_down();
+    for (int i = 0; i < 7; ++i) frame({}, true);
+    const auto back = frame({tip(0.06f, 0.0f, 0.001f)});
+    ASSERT_EQ(back.touches.size(), 1u);
+    EXPECT_EQ(back.touches[0].phase, TouchPhase::move);
+    EXPECT_EQ(back.touches[0].tip.id, id);
+    EXPECT_EQ(back.touches[0].tip.state, FingerState::dragging);
+}
+
+TEST_F(Tracking, AFingerThatComesBackAboveTheSurfaceWasLifted) {
+    const int id = finger_down();
+    for (int i = 0; i < 6; ++i) frame({}, true);
+    const auto back = frame({tip(0.01f, 0.0f, 0.03f)});
+    ASSERT_EQ(back.touches.size(), 1u);
+    EXPECT_EQ(back.touches[0].phase, TouchPhase::up);
+    EXPECT_EQ(back.touches[0].tip.id, id);
+}
+
+TEST_F(Tracking, AnotherFingerFarAwayIsNotTheCoveredOne) {
+    const int id = finger_down();
+    frame({}, true);
+    for (int i = 0; i < 4; ++i) {
+        for (const TouchEvent& touch : frame({tip(0.12f, 0.0f, 0.0f)}, true).touches)
+            EXPECT_EQ(touch.tip.surface_c_m.x() > 0.06f, touch.tip.id != id);
+    }
+}
+
+/// Uncovered, its place is empty: it is waited for as long as any finger that was not found.
+TEST_F(Tracking, AFingerWhosePlaceIsSeenEmptyAgainGoesUp) {
+    finger_down();
+    for (int i = 0; i < 4; ++i) frame({}, true);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(frame({}).touches.at(0).phase, TouchPhase::move) << i;
+    EXPECT_EQ(frame({}).touches.at(0).phase, TouchPhase::up);
+}
+
+TEST_F(Tracking, ACoveredHoverIsForgotten) {
+    frame({tip(0.0f, 0.0f, 0.02f)});
+    frame({tip(0.0f, 0.0f, 0.02f)});
+    for (int i = 0; i < 6; ++i) {
+        const auto out = frame({}, true);
+        EXPECT_TRUE(out.touches.empty());
+        EXPECT_TRUE(out.hovers.empty());
+    }
+    EXPECT_TRUE(tracking.expected(time_us + 33333).empty());
+}
+
+TEST_F(Tracking, AFingerGoesThroughItsStates) {
+    frame({tip(0.0f, 0.0f, 0.03f)});
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.03f)}).hovers.at(0).tip.state, FingerState::hover);
+    EXPECT_EQ(frame({tip(0.0f, 0.0f, 0.0f)}).touches.at(0).tip.state, FingerState::down);
+    EXPECT_EQ(frame({tip(0.006f, 0.0f, 0.0f)}).touches.at(0).tip.state, FingerState::down);
+    EXPECT_EQ(frame({tip(0.010f, 0.0f, 0.0f)}).touches.at(0).tip.state, FingerState::dragging);
+    EXPECT_EQ(frame({tip(0.002f, 0.0f, 0.0f)}).touches.at(0).tip.state, FingerState::dragging);
+    EXPECT_EQ(frame({}).touches.at(0).tip.state, FingerState::hidden);
+    EXPECT_EQ(frame({tip(0.002f, 0.0f, 0.02f)}).touches.at(0).tip.state, FingerState::hover);
+    EXPECT_EQ(frame({tip(0.002f, 0.0f, 0.0f)}).touches.at(0).tip.state, FingerState::down);
+    for (int i = 0; i < 3; ++i) frame({});
+    EXPECT_EQ(frame({}).touches.at(0).tip.state, FingerState::away);
 }
 
 TEST_F(Tracking, AFingerThatStaysAwayGoesUpOnce) {

@@ -1,5 +1,6 @@
 #include "pipeline/touch_detection.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "tests/support/finger_scene.hpp"
@@ -15,8 +16,32 @@ class TouchStage : public testing::Test {
   protected:
     TrackedTouches frame(float gap_m) {
         test::FingerScene scene(ground);
+        add_hand(scene, gap_m);
+        return detect(scene);
+    }
+    void add_hand(test::FingerScene& scene, float gap_m) const {
         scene.add_hand(touched_m, Vector3f(0.0f, 0.0f, -1.0f), Vector3f(0.3f, 0.7f, -0.6f).normalized(),
                        0.0075f, gap_m);
+    }
+    /// A finger drags 6 mm a frame to the right for 30 frames; an arm 70 mm wide passes 180 mm above the
+    /// table in the other direction and hides it for nine. The events of all frames.
+    std::vector<TouchEvent> crossed_drag() {
+        std::vector<TouchEvent> events;
+        frame(0.03f);
+        frame(0.015f);
+        for (int i = 0; i < 30; ++i) {
+            touched_m.x() = -0.08f + 0.006f * static_cast<float>(i);
+            const float arm_x_m = 0.15f - 0.010f * static_cast<float>(i);
+            test::FingerScene scene(ground);
+            add_hand(scene, 0.0f);
+            scene.add({{arm_x_m, -0.3f, 0.82f}, {arm_x_m, 0.3f, 0.82f}, 0.035f, 0.035f});
+            scene.add_noise(static_cast<unsigned>(i + 1));
+            const TrackedTouches out = detect(scene);
+            events.insert(events.end(), out.touches.begin(), out.touches.end());
+        }
+        return events;
+    }
+    TrackedTouches detect(test::FingerScene& scene) {
         scene.finish();
         background.depth_m.write(scene.padded_background);
         background.normals_c.write(scene.padded_normals);
@@ -67,6 +92,28 @@ TEST_F(TouchStage, TheTouchMapShowsTheFingertipOnly) {
     }
     EXPECT_GT(near, 30);
     EXPECT_EQ(far, 0);
+}
+
+/// What the arm hides stays down where it was seen last, and goes on with its id; without time for hidden
+/// touches it is lifted, and comes back as another.
+TEST_F(TouchStage, ADragThatAnArmCrossesKeepsItsId) {
+    const auto count = [](const std::vector<TouchEvent>& events, auto is) {
+        return std::ranges::count_if(events, is);
+    };
+    const auto is_down = [](const TouchEvent& event) { return event.phase == TouchPhase::down; };
+    const auto is_up = [](const TouchEvent& event) { return event.phase == TouchPhase::up; };
+    const auto is_hidden = [](const TouchEvent& event) { return event.tip.state == FingerState::hidden; };
+    const std::vector<TouchEvent> events = crossed_drag();
+    EXPECT_EQ(count(events, is_down), 1);
+    EXPECT_EQ(count(events, is_up), 0);
+    EXPECT_GE(events.size(), 29u) << "one event a frame; noise may delay the first";
+    for (const TouchEvent& event : events) EXPECT_EQ(event.tip.id, events.front().tip.id);
+    EXPECT_GT(count(events, is_hidden), 3) << "longer than any lost finger is waited for";
+
+    TouchDetectionConfig config;
+    config.tracking.hidden_s = 0.0f;
+    stage = TouchDetection(device, config, k);
+    EXPECT_GT(count(crossed_drag(), is_down), 1);
 }
 
 TEST_F(TouchStage, WithoutForegroundTouchesEnd) {
