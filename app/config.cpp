@@ -113,6 +113,9 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.section("touch");
     keys.add("hidden_s", config.interaction.touch.tracking.hidden_s, 0, 2,
              "a touch that something covers is kept for so long");
+    keys.add("bias_file", config.bias_file,
+             "what the touched crosses told; where it is not there yet, the table asks to touch them; empty: "
+             "neither");
     keys.section("tuio");
     keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");

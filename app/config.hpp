@@ -24,6 +24,7 @@ struct Config {
     InteractionConfig interaction;
     std::string scan_file;    ///< empty: the surroundings are scanned at every start
     std::string object_file;  ///< scan of an object that is followed in hands; empty: none
+    std::string bias_file;    ///< of touches; empty: none is taken off
     bool tuio_enabled = true;
     TuioConfig tuio;
     DisplayConfig display;

@@ -4,9 +4,11 @@
 #include <thread>
 
 #include "app/reports.hpp"
+#include "app/touch_bias_file.hpp"
 #include "pipeline/self_test.hpp"
 #include "platform/output/event_log.hpp"
 #include "platform/output/tuio_sink.hpp"
+#include "platform/system/atomic_file.hpp"
 #include "platform/system/log.hpp"
 
 namespace touchstone {
@@ -35,6 +37,7 @@ Perception::Perception(const RunOptions& options)
     if (options.maps_dir) maps_.emplace(*options.maps_dir);
     run_self_test(device_);
     log_info("computing on {}", device_.name());
+    prepare_touch_bias();
     if (!options.config.object_file.empty()) object_ = load_scan(options.config.object_file).volume;
     const std::string& uri = options_.config.sensor_uri;
     if (uri.empty()) return;
@@ -95,8 +98,13 @@ TableFrame Perception::process(const DepthFrame& frame) {
     if (!pipeline_ || !same_camera(intrinsics_, frame.intrinsics)) {
         start_pipeline(frame.intrinsics);
     }
-    const InteractionFrame result =
-        pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
+    InteractionFrame result = pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
+    const InteractionFrame seen = result;
+    if (calibrates(result.state)) {
+        take_crosses(result);
+        result.touches.clear();
+        result.hovers.clear();
+    }
     publish(result, frame);
     save_scan_when_new(result.state);
     TableFrame shown;
@@ -113,8 +121,9 @@ TableFrame Perception::process(const DepthFrame& frame) {
         shown.has_area = true;
         shown.area_px = area_corners_px(*area, intrinsics_);
     }
-    shown.touches = result.touches;
-    shown.hovers = result.hovers;
+    shown.touches = seen.touches;
+    shown.hovers = seen.hovers;
+    if (calibrates(result.state)) shown.cross = crosses_->guide(*pipeline_->area(), intrinsics_);
     measure_rate(start);
     shown.frame_rate_hz = rate_hz_;
     shown.frame_ms = static_cast<float>(pipeline_->stage_times().summary("frame").median_ms);
@@ -127,6 +136,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
 void Perception::start_pipeline(const Intrinsics& intrinsics) {
     intrinsics_ = intrinsics;
     pipeline_ = std::make_unique<InteractionPipeline>(device_, options_.config.interaction, intrinsics_);
+    pipeline_->set_touch_bias(bias_);
     if (object_) pipeline_->follow_object(*object_);
     const std::string& file = options_.config.scan_file;
     if (file.empty()) return;
@@ -153,6 +163,42 @@ void Perception::save_scan_when_new(InteractionState state) {
     } catch (const Error& error) {
         log_warning("{}; the next start scans anew", error.what());
     }
+}
+
+void Perception::prepare_touch_bias() {
+    const std::string& file = options_.config.bias_file;
+    if (file.empty()) return;
+    std::error_code none;
+    if (std::filesystem::exists(file, none)) {
+        try {
+            bias_ = load_touch_bias(file);
+            return;
+        } catch (const Error& error) {
+            log_warning("{}; the crosses are to be touched anew", error.what());
+        }
+    }
+    check_writable(file);
+    crosses_.emplace(CrossStepConfig{});
+}
+
+void Perception::take_crosses(const InteractionFrame& result) {
+    crosses_->take(result.touches, *pipeline_->area());
+    const auto& fit = crosses_->result();
+    if (!fit) return;
+    if (fit->verdict != BiasVerdict::good) {
+        log_warning("the crosses told nothing: {}; asking again", describe(*fit));
+        crosses_.emplace(CrossStepConfig{});
+        return;
+    }
+    log_info("the crosses told the bias of touches: {}", describe(*fit));
+    bias_ = fit->bias;
+    pipeline_->set_touch_bias(bias_);
+    try {
+        save_touch_bias(options_.config.bias_file, *fit);
+    } catch (const Error& error) {
+        log_warning("{}; the next start asks for the crosses again", error.what());
+    }
+    crosses_.reset();
 }
 
 void Perception::publish(const InteractionFrame& result, const DepthFrame& frame) {

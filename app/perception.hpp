@@ -7,6 +7,7 @@
 
 #include "app/command_line.hpp"
 #include "app/frame_outputs.hpp"
+#include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "platform/camera/depth_camera.hpp"
 #include "platform/camera/sensor_session.hpp"
@@ -37,6 +38,11 @@ class Perception {
     void start_pipeline(const Intrinsics& intrinsics);
     /// A scan that cannot be written is no reason to stop: it is said.
     void save_scan_when_new(InteractionState state);
+    /// Takes the bias of touches from its file, or begins to ask for it.
+    void prepare_touch_bias();
+    /// Whether crosses are to be touched; their touches are no others'.
+    bool calibrates(InteractionState state) const { return crosses_ && state == InteractionState::live; }
+    void take_crosses(const InteractionFrame& result);
     void measure_rate(std::chrono::steady_clock::time_point start);
 
     RunOptions options_;
@@ -47,6 +53,8 @@ class Perception {
     std::optional<VolumeSnapshot> object_;  ///< that is followed in hands
     std::vector<std::unique_ptr<TouchSink>> sinks_;
     std::optional<PictureFolder> maps_;
+    std::optional<CrossStep> crosses_;  ///< until they told the bias of touches
+    TouchBias bias_;
     Intrinsics intrinsics_{};
     std::chrono::steady_clock::time_point last_frame_{};
     float rate_hz_ = 0.0f;

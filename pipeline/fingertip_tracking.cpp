@@ -112,7 +112,9 @@ FingerState FingertipTracking::state_of(const Track& track) const {
 void FingertipTracking::report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics,
                                TrackedTouches& out) {
     const bool seen = track.missed == 0;
-    const Vector2f uv = area_uv(area, track.tip.surface_c_m);
+    const FingertipCandidate& tip = track.tip;
+    const Vector3f place_c_m = corrected({tip.surface_c_m, tip.normal_c, tip.shape.axis}, bias_);
+    const Vector2f uv = area_uv(area, place_c_m);
     const bool was_down = track.was_down;
     if (seen) {
         track.down = touches(track, uv);
@@ -131,10 +133,12 @@ void FingertipTracking::report(Track& track, const InteractiveArea& area, const 
     }
     if (seen) {
         track.last.id = track.id;
-        track.last.surface_c_m = track.tip.surface_c_m;
-        track.last.pixel_px = project(intrinsics, track.tip.surface_c_m);
+        track.last.surface_c_m = place_c_m;
+        track.last.pixel_px = project(intrinsics, place_c_m);
         track.last.area_uv = uv;
-        track.last.height_m = track.tip.height_m;
+        track.last.height_m = tip.height_m;
+        track.last.normal_c = tip.normal_c;
+        track.last.axis_c = tip.shape.axis;
     }
     if (track.down) {
         out.touches.push_back({track.last, was_down ? TouchPhase::move : TouchPhase::down});

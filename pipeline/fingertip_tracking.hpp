@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/fingertip_detection.hpp"
+#include "pipeline/touch_bias.hpp"
 #include "pipeline/touch_event.hpp"
 #include "pipeline/types.hpp"
 
@@ -57,6 +58,8 @@ class FingertipTracking {
     TrackedTouches update(std::span<const FingertipCandidate> tips, const InteractiveArea& area,
                           const Intrinsics& intrinsics, std::uint64_t timestamp_us,
                           const CoverTest& is_covered = {});
+    /// Is taken off from the next frame on.
+    void set_bias(const TouchBias& bias) { bias_ = bias; }
     /// Where the followed fingers are expected at a time, and their radius.
     std::vector<KnownFinger> expected(std::uint64_t timestamp_us) const;
     /// Ends all touches: the sensor is lost or the camera was moved.
@@ -103,6 +106,7 @@ class FingertipTracking {
     void report(Track& track, const InteractiveArea& area, const Intrinsics& intrinsics, TrackedTouches& out);
 
     FingertipTrackingConfig config_;
+    TouchBias bias_;
     std::vector<Track> tracks_;
     std::uint64_t last_us_ = 0;
     int next_id_ = 1;

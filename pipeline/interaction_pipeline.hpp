@@ -75,6 +75,8 @@ class InteractionPipeline {
     /// From now on this object is looked for in the foreground, and followed (Fig 1 E). Throws Error as
     /// restore_volume.
     void follow_object(const VolumeSnapshot& model);
+    /// Is taken off the places of touches from the next frame on.
+    void set_touch_bias(const TouchBias& bias) { touch_.set_bias(bias); }
     InteractionFrame process(const DepthView& view, std::uint64_t timestamp_us);
     /// The background as it is. Only once the state has been live. Waits for the device.
     SavedScan saved_scan() const;

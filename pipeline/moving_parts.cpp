@@ -95,7 +95,7 @@ float MovingParts::find(const LiveMaps& live, const SurfacePrediction& model, co
                         shape_, intrinsics_, to_pose(T_p_c), config_.hold_frames, noise);
     widen_rows_.launch(size, parts_, wide_, shape_, config_.widen_px);
     widen_columns_.launch(size, wide_, mask_, shape_, config_.widen_px);
-    mark_untracked(live);
+    mark_untracked(live, share);
     const int step = share >= config_.min_watched_share ? 1 : -1;
     watched_frames_ = std::clamp(watched_frames_ + step, 0, config_.most_watched_frames);
     return share;
@@ -106,9 +106,10 @@ int MovingParts::young_frames() const {
     return std::min(config_.young_frames, remembered_frames_ / 2);
 }
 
-void MovingParts::mark_untracked(const LiveMaps& live) {
+void MovingParts::mark_untracked(const LiveMaps& live, float moving_share) {
     const LaunchSize size = eight_pixels_each(shape_);
-    const bool leave_young = young_frames() > 0 && enough_is_old(live);
+    const bool leave_young =
+        young_frames() > 0 && moving_share >= config_.untracked_young_share && enough_is_old(live);
     either_.launch(size, mask_, leave_young ? young_ : mask_, untracked_, shape_);
 }
 

@@ -34,6 +34,8 @@ struct MovingPartsConfig {
     /// counted. What is found by mistake in a real room (up to 5 % of a frame) is gone in the next.
     float min_watched_share = 0.02f;
     int min_watched_frames = 4, most_watched_frames = 20;
+    /// Of the picture, that moves: less of it cannot take the camera along, and what is new helps to track.
+    float untracked_young_share = 0.25f;
     float min_old_share = 0.2f;  ///< of the live pixels; where less is old, the young are tracked by
     int hold_frames = 150;       ///< that something which came is left out when it rests, at most 255
     int widen_px = 8;            ///< of the mask, at most 8
@@ -73,7 +75,7 @@ class MovingParts {
 
     bool turns_fast(const RigidTransform& T_b_c) const;
     int young_frames() const;
-    void mark_untracked(const LiveMaps& live);
+    void mark_untracked(const LiveMaps& live, float moving_share);
     bool enough_is_old(const LiveMaps& live) const;
     float select_components(const std::vector<Component>& found);
     void remember_free_space(const LiveMaps& live, const RigidTransform& T_g_c);

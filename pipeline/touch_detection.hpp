@@ -38,6 +38,8 @@ class TouchDetection {
     TouchDetection(const Device& device, const TouchDetectionConfig& config, const Intrinsics& intrinsics);
 
     TrackedTouches detect(const TouchInput& input);
+    /// Is taken off the places of touches from the next frame on.
+    void set_bias(const TouchBias& bias) { tracking_.set_bias(bias); }
     /// Ends all touches: the sensor is lost or the camera was moved.
     std::vector<TouchEvent> release_all() { return tracking_.release_all(); }
     /// Of the last detect().

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
 
 namespace touchstone {
 
@@ -23,6 +24,8 @@ struct Fingertip {
     Eigen::Vector2f pixel_px{0.f, 0.f};          ///< that point in the depth picture
     Eigen::Vector2f area_uv{0.f, 0.f};           ///< that point in the interactive area, 0..1 inside it
     float height_m = 0.f;                        ///< of the finger's pad above the surface, signed distance
+    Eigen::Vector3f normal_c{0.f, 0.f, 0.f};     ///< camera frame: of the surface there
+    Eigen::Vector3f axis_c{0.f, 0.f, 0.f};       ///< camera frame, unit length, from the tip to the hand
     FingerState state = FingerState::away;
 };
 
@@ -36,6 +39,13 @@ struct TouchEvent {
 /// A finger near the surface without contact.
 struct HoverEvent {
     Fingertip tip;
+};
+
+/// The cross to touch next, while touches are calibrated.
+struct CrossGuide {
+    Eigen::Vector2f pixel_px{0.f, 0.f};  ///< in the depth picture
+    int touched = 0, wanted = 0;         ///< touches
+    std::string words;                   ///< what to do
 };
 
 }  // namespace touchstone

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct TableFrame {
     bool has_area = false;
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;
+    std::optional<CrossGuide> cross;  ///< while touches are calibrated
 };
 
 }  // namespace touchstone

@@ -1,6 +1,7 @@
 #include "ui/table_presenter.hpp"
 
 #include "ui/canvas_renderer.hpp"
+#include "ui/cross_guide.hpp"
 #include "ui/finger_marks.hpp"
 #include "ui/layout.hpp"
 #include "ui/scene_list.hpp"
@@ -104,6 +105,7 @@ void TablePresenter::draw(const TableFrame& frame) {
     } else {
         p.scene->draw(canvas, layout.view);
         p.fingers.draw(canvas, layout.view);
+        if (frame.cross) draw_cross_guide(canvas, layout.view, *frame.cross);
     }
     draw_status_panel(canvas, layout, status_words(frame, p.scene->invitation(), p.fingers.touching_ids()));
     p.canvas_renderer.draw(canvas);

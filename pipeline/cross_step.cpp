@@ -1,0 +1,119 @@
+#include "pipeline/cross_step.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/core.h>
+
+#include "pipeline/table_picture.hpp"
+
+namespace touchstone {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+namespace {
+
+const std::array<Vector2f, 5>& cross_places_uv() {
+    static const std::array<Vector2f, 5> places{Vector2f(0.5f, 0.5f), Vector2f(0.2f, 0.25f),
+                                                Vector2f(0.8f, 0.25f), Vector2f(0.8f, 0.75f),
+                                                Vector2f(0.2f, 0.75f)};
+    return places;
+}
+constexpr int crosses = 5;
+
+Vector3f place_c_m(const InteractiveArea& area, int cross) {
+    const Vector2f& uv = cross_places_uv()[static_cast<std::size_t>(cross)];
+    return area.origin_c_m + uv.x() * area.axis_u_c_m + uv.y() * area.axis_v_c_m;
+}
+
+}  // namespace
+
+int CrossStep::next_cross() const { return static_cast<int>(touches_.size()) % crosses; }
+
+int CrossStep::wanted() const { return crosses * (config_.rounds + rounds_); }
+
+void CrossStep::take(std::span<const TouchEvent> touches, const InteractiveArea& area) {
+    if (result_) return;
+    for (const TouchEvent& event : touches) {
+        if (event.phase != TouchPhase::up) {
+            follow(event);
+            continue;
+        }
+        const auto ended = std::ranges::find(contacts_, event.tip.id, &Contact::id);
+        if (ended == contacts_.end()) continue;
+        const Contact contact = *ended;
+        contacts_.erase(ended);
+        finish(contact, area);
+    }
+}
+
+void CrossStep::follow(const TouchEvent& event) {
+    const Fingertip& tip = event.tip;
+    if (tip.state == FingerState::hidden) return;
+    auto at = std::ranges::find(contacts_, tip.id, &Contact::id);
+    if (at == contacts_.end()) {
+        Contact contact;
+        contact.id = tip.id;
+        contact.sum = {Vector3f::Zero(), Vector3f::Zero(), Vector3f::Zero()};
+        contact.first_c_m = tip.surface_c_m;
+        at = contacts_.insert(contacts_.end(), contact);
+    }
+    ++at->frames;
+    at->sum.surface_c_m += tip.surface_c_m;
+    at->sum.normal_c += tip.normal_c;
+    at->sum.axis_c += tip.axis_c;
+    at->drag_m = std::max(at->drag_m, (tip.surface_c_m - at->first_c_m).norm());
+}
+
+void CrossStep::finish(const Contact& contact, const InteractiveArea& area) {
+    const int cross = next_cross();
+    const TouchPlace mean{contact.sum.surface_c_m / static_cast<float>(contact.frames),
+                          contact.sum.normal_c.normalized(), contact.sum.axis_c.normalized()};
+    if (contact.drag_m > config_.most_drag_m) {
+        remark_ = "That finger moved: touch, hold still, lift.";
+        return;
+    }
+    if ((mean.surface_c_m - place_c_m(area, cross)).norm() > config_.reach_m) {
+        remark_ = "That was not the cross.";
+        return;
+    }
+    remark_.clear();
+    touches_.push_back({cross, mean});
+    if (static_cast<int>(touches_.size()) < wanted()) return;
+    const TouchBiasFit fit = fit_touch_bias(touches_, config_.bias);
+    if (fit.verdict == BiasVerdict::one_sided && config_.rounds + rounds_ < config_.most_rounds)
+        ++rounds_;
+    else
+        result_ = fit;
+}
+
+CrossGuide CrossStep::guide(const InteractiveArea& area, const Intrinsics& intrinsics) const {
+    const int done = static_cast<int>(touches_.size()), round = done / crosses;
+    std::string words = remark_.empty() ? "" : remark_ + " ";
+    words += round == 0    ? "Touch the cross with one finger, and lift it."
+             : rounds_ > 0 ? "Turn your hand much more: touch the same point of the cross from another side."
+                           : "Turn your hand: touch the same point of the cross from another side.";
+    return {project(intrinsics, place_c_m(area, next_cross())), done, wanted(), words};
+}
+
+std::string describe(const TouchBiasFit& fit) {
+    switch (fit.verdict) {
+        case BiasVerdict::good:
+            return fmt::format(
+                "touches move by {:.1f} mm along the finger and {:.1f} mm across, known to {:.1f} mm; "
+                "touches of one cross lie {:.1f} mm apart, {:.1f} before",
+                1000.0f * fit.bias.along_m, 1000.0f * fit.bias.across_m, 1000.0f * fit.sigma_m,
+                1000.0f * fit.rms_m, 1000.0f * fit.rms_before_m);
+        case BiasVerdict::too_few:
+            return "not enough touches: touch every cross from three sides";
+        case BiasVerdict::one_sided:
+            return "all fingers came from one side: turn the hand between two touches of a cross";
+        case BiasVerdict::scattered:
+            break;
+    }
+    return fmt::format(
+        "touches of one cross lie {:.1f} mm apart: touch the same point of the cross each time",
+        1000.0f * fit.rms_m);
+}
+
+}  // namespace touchstone
