@@ -67,7 +67,7 @@ void TablePresenter::take_in(const TableFrame& frame) {
     p.view_size = view_size;
     p.scanning = scanning;
     for (const TouchEvent& event : frame.touches) {
-        p.scene->on_touch(event);
+        if (!frame.cross) p.scene->on_touch(event);
         p.fingers.on_touch(event);
     }
     p.scene->on_hovers(frame.hovers);
@@ -107,7 +107,9 @@ void TablePresenter::draw(const TableFrame& frame) {
         p.fingers.draw(canvas, layout.view);
         if (frame.cross) draw_cross_guide(canvas, layout.view, *frame.cross);
     }
-    draw_status_panel(canvas, layout, status_words(frame, p.scene->invitation(), p.fingers.touching_ids()));
+    draw_status_panel(canvas, layout,
+                      status_words(frame, frame.cross ? "Touch the crosses" : p.scene->invitation(),
+                                   p.fingers.touching_ids()));
     p.canvas_renderer.draw(canvas);
 }
 

@@ -277,6 +277,25 @@ TEST_F(TablePresenterTest, TheInteractiveAreaIsOutlined) {
     EXPECT_EQ(color_at_view(outlined, {160.f, 120.f}).r, 100);
 }
 
+/// A finger that touches it is marked, but paints nothing.
+TEST_F(TablePresenterTest, ACrossIsShownWhileTouchesAreCalibrated) {
+    const Vector2f place(120.f, 90.f), beside = place + Vector2f(7.f, 7.f);
+    const Picture before = present();
+    frame_.cross = CrossGuide{place, 2, 15, "Touch the cross"};
+    const Picture asking = present();
+    const auto changed = [&](const Vector2f& at) {
+        return difference(color_at_view(asking, at), color_at_view(before, at)) > tolerance;
+    };
+    const float ring_view_px = 22.f * make_layout(display_size, view_size).scale / mapping_.display_px_per_px;
+    EXPECT_TRUE(changed(place + Vector2f(ring_view_px, 0.f)));
+    EXPECT_FALSE(changed(place + Vector2f(3.f * ring_view_px, 0.f)));
+    EXPECT_GT(count_differences(before, asking, tolerance), 500) << "and words say what to do";
+    draw_stroke(1, place, {280.f, 90.f});
+    frame_.cross.reset();
+    EXPECT_EQ(color_at_view(present(), {200.f, 90.f}), style::white);
+    EXPECT_EQ(color_at_view(present(), beside), style::white);
+}
+
 TEST_F(TablePresenterTest, ThreeHundredFramesLeaveNoObjectsBehind) {
     const std::array views{make_view([](int, int) { return false; }),
                            make_view([](int x, int) { return x < 50; })};
