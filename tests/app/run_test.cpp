@@ -1,3 +1,4 @@
+#include <Eigen/Core>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -72,6 +73,38 @@ TEST(Run, LivePaceKeepsPerceptionAndPresentationApart) {
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(std::ranges::count(result.out, '\n'), 30);
     EXPECT_FALSE(std::filesystem::is_empty(folder / "shots"));
+}
+
+/// Places of all touches of a run with a bias of 10 mm along the finger, of none, and before it is known.
+TEST(Run, TheBiasOfTouchesIsTakenOffAndAskedForWhereItIsNotKnown) {
+    const TemporaryFolder folder;
+    const auto touched_mm = [&](const std::string& bias) {
+        const std::filesystem::path file = folder / "touch.bias", config = folder / "table.toml";
+        if (!bias.empty()) std::ofstream(file) << bias;
+        std::ofstream(config) << "[tuio]\nenabled = false\n[touch]\nbias_file = \"" << file.string()
+                              << "\"\n";
+        const ProgramResult result = run_program(
+            {TOUCHSTONE_PROGRAM, "run", "--sensor", "sim:flat?seed=9&hands=2&empty=0.9&frames=90", "--pace",
+             "step", "--display", "headless", "--config", config.string(), "--events", "-"});
+        EXPECT_EQ(result.status, 0) << result.err;
+        std::vector<Eigen::Vector3d> places;
+        std::istringstream lines(result.out);
+        for (std::string line; std::getline(lines, line);) {
+            const nlohmann::json frame = nlohmann::json::parse(line);
+            for (const auto& touch : frame.at("touches")) {
+                const auto at = touch.at("camera_mm").get<std::array<double, 3>>();
+                places.emplace_back(at[0], at[1], at[2]);
+            }
+        }
+        return places;
+    };
+    EXPECT_TRUE(touched_mm("").empty());
+    const auto plain_mm = touched_mm(R"({"along_mm": 0, "across_mm": 0})");
+    const auto moved_mm = touched_mm(R"({"along_mm": 10, "across_mm": 0})");
+    ASSERT_GT(plain_mm.size(), 5u);
+    ASSERT_EQ(moved_mm.size(), plain_mm.size());
+    for (std::size_t i = 0; i < plain_mm.size(); ++i)
+        EXPECT_NEAR((moved_mm[i] - plain_mm[i]).norm(), 10.0, 0.01) << i;
 }
 
 TEST(Run, WaitsForACameraAndEndsOnSigterm) {
