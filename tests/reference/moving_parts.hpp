@@ -63,8 +63,7 @@ inline CellCounts remember_free_space(const Grid<float>& depth_m, const Grid<std
     if (p_c.z() > half_m + 0.05f) {
         const float reach_px = k.fx_px * half_m * (1.0f + 0.5f * (a * a + b * b)) / (p_c.z() - half_m);
         if (nearest_in_square_m(depth_m, u_px, v_px, reach_px) > far_m + 3.0f * sigma_z_m(space.noise, far_m))
-            return {std::min(old.seen_free + 1, space.most_frames),
-                    old.seen_taken / 2};
+            return {std::min(old.seen_free + 1, space.most_frames), old.seen_taken / 2};
     }
     const int seen_taken = std::min(old.seen_taken + (taken_now ? 1 : 0), 255);
     const float seen_m = depth_m.at(x, y);
