@@ -16,10 +16,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto longest_sleep = std::chrono::milliseconds(20);
 
-float field_of_view_rad(int size_px, float focal_px) {
-    return 2.0F * std::atan(static_cast<float>(size_px) / (2.0F * focal_px));
-}
-
 StreamDescription describe(const SourceInfo& info, OniSensorType sensor) {
     const bool depth = sensor == ONI_SENSOR_DEPTH;
     const Intrinsics& k = info.intrinsics;
@@ -69,8 +65,10 @@ oni::driver::StreamBase* SourceDevice::createStream(OniSensorType sensor) {
     if (!depth && (sensor != ONI_SENSOR_COLOR || !info_.has_color)) return nullptr;
     const std::lock_guard lock(mutex_);
     auto& stream = depth ? depth_ : color_;
-    stream = std::make_unique<SourceStream>(depth ? depth_description_ : color_description_,
-                                            [this] { running_changed(); });
+    stream = std::make_unique<SourceStream>(depth ? depth_description_ : color_description_, [this] {
+        running_changed();
+        return true;
+    });
     return stream.get();
 }
 
