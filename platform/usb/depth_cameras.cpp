@@ -98,17 +98,20 @@ std::vector<UsbDepthCamera> find_depth_cameras(std::span<const UsbDevice> device
     return cameras;
 }
 
+std::string udev_rules_commands() {
+    return fmt::format(
+        "sudo cp {} /etc/udev/rules.d/ && sudo udevadm control --reload && sudo udevadm trigger",
+        TOUCHSTONE_UDEV_RULES);
+}
+
 std::string problem_of(const UsbDepthCamera& camera) {
     const std::string where = fmt::format("{} at USB {}", camera.model, camera.device.name());
     switch (camera.state) {
         case UsbCameraState::no_power:
             return where + " has no power, only its motor answers: plug in its power supply";
         case UsbCameraState::no_permission:
-            return fmt::format(
-                "{} may not be opened by this user ({}): sudo cp {} /etc/udev/rules.d/ && sudo udevadm "
-                "control "
-                "--reload && sudo udevadm trigger, then plug it in again",
-                where, camera.device.node(), TOUCHSTONE_UDEV_RULES);
+            return fmt::format("{} may not be opened by this user: {}, then plug it in again", where,
+                               udev_rules_commands());
         case UsbCameraState::ready:
             break;
     }

@@ -28,4 +28,7 @@ std::vector<UsbDepthCamera> find_depth_cameras(std::span<const UsbDevice> device
 /// What is wrong and what to do about it, one sentence; empty where the camera is ready.
 std::string problem_of(const UsbDepthCamera& camera);
 
+/// The shell commands that let every user open depth cameras and keep them awake.
+std::string udev_rules_commands();
+
 }  // namespace touchstone

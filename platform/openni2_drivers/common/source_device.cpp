@@ -37,10 +37,12 @@ TouchstoneDriverError driver_error(ExitStatus status, const char* message) {
 }  // namespace
 
 SourceDevice::SourceDevice(std::unique_ptr<FrameSource> source,
-                           std::function<void(OniDeviceState)> state_changed)
+                           std::function<void(OniDeviceState)> state_changed,
+                           std::function<void(double)> unplugged)
     : source_(std::move(source)),
       info_(source_->info()),
       state_changed_(std::move(state_changed)),
+      unplugged_(std::move(unplugged)),
       depth_description_(describe(info_, ONI_SENSOR_DEPTH)),
       color_description_(describe(info_, ONI_SENSOR_COLOR)),
       pace_(info_.default_pace) {
@@ -126,6 +128,7 @@ void SourceDevice::running_changed() {
         const std::lock_guard lock(mutex_);
         source_->enable_color(color_ && color_->running());
         run = any_stream_runs() && pace_ == Pace::live && !ended_;
+        if (run && !live_ && std::exchange(has_run_, true)) source_->restarted();
     }
     if (run == live_) return;
     live_ = run;
@@ -159,12 +162,16 @@ bool SourceDevice::deliver_next() {
     // Without the lock: a listener may ask for properties.
     if (outcome == Outcome::end) state_changed_(ONI_DEVICE_STATE_EOF);
     if (outcome == Outcome::failed) state_changed_(ONI_DEVICE_STATE_ERROR);
+    if (outcome == Outcome::unplugged && unplugged_) unplugged_(back_after_s_);
     return outcome == Outcome::delivered;
 }
 
 SourceDevice::Outcome SourceDevice::make_frame() {
     try {
         if (!source_->next(frame_)) return Outcome::end;
+    } catch (const SourceUnplugged& pulled) {
+        back_after_s_ = pulled.back_after_s;
+        return Outcome::unplugged;
     } catch (const Error& error) {
         error_ = driver_error(error.status(), error.what());
         return Outcome::failed;
@@ -172,6 +179,7 @@ SourceDevice::Outcome SourceDevice::make_frame() {
         error_ = driver_error(ExitStatus::bad_data, error.what());
         return Outcome::failed;
     }
+    if (frame_.withheld) return Outcome::delivered;
     if (color_ && color_->running()) {
         color_->deliver(frame_.color_rgb.data(), frame_.color_rgb.size(), frame_.index, frame_.timestamp_us);
     }
