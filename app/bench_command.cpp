@@ -117,12 +117,16 @@ std::string bench_table(const BenchResult& result) {
            fmt::format("memory: {:.0f} MB at most, volume {:.1f} MB\n", result.peak_rss_mb, result.volume_mb);
 }
 
+BenchResult measure_frames(const BenchOptions& options, TerminationSignals& signals) {
+    return Bench(options, signals).run();
+}
+
 ExitStatus bench_command(const BenchOptions& options) {
     set_log_level(log_level(options.config));
     const bool to_file = options.json_file && *options.json_file != "-";
     if (to_file) check_writable(*options.json_file);
     TerminationSignals signals;
-    const BenchResult result = Bench(options, signals).run();
+    const BenchResult result = measure_frames(options, signals);
     if (to_file) write_file_atomically(*options.json_file, bench_json(result));
     std::fputs((options.json_file && !to_file ? bench_json(result) : bench_table(result)).c_str(), stdout);
     return ExitStatus::ok;

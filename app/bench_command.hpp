@@ -6,6 +6,7 @@
 #include "app/command_line.hpp"
 #include "platform/system/error.hpp"
 #include "platform/system/stage_timer.hpp"
+#include "platform/system/termination_signals.hpp"
 
 namespace touchstone {
 
@@ -22,6 +23,9 @@ struct BenchResult {
 std::string bench_json(const BenchResult& result);
 /// A table for people.
 std::string bench_table(const BenchResult& result);
+
+/// Measures; throws Error, also where a signal ends it.
+BenchResult measure_frames(const BenchOptions& options, TerminationSignals& signals);
 
 /// `touchstone bench`: the live loop of `run`, or of `track`, over the last 300 frames; reading frames is not
 /// counted, scanning neither. Throws Error.

@@ -123,6 +123,13 @@ CLI::App* add_bench(CLI::App& app, BenchArguments& arguments) {
     return bench;
 }
 
+CLI::App* add_check(CLI::App& app, CheckOptions& options) {
+    CLI::App* check = app.add_subcommand("check", "is this machine ready? What is wrong, and what to do");
+    check->add_flag("--json", options.json, "as JSON");
+    check->add_option("--config", options.config_file, "TOML file to check too");
+    return check;
+}
+
 std::optional<std::string> if_given(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(text);
 }
@@ -230,6 +237,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     const CLI::App* track = add_track(app, model_arguments);
     BenchArguments bench_arguments;
     const CLI::App* bench = add_bench(app, bench_arguments);
+    CheckOptions check_options;
+    const CLI::App* check = add_check(app, check_options);
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
@@ -240,12 +249,13 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, std::string(error.what()) + "; see touchstone --help");
     }
-    for (const CLI::App* command : {scan, track, bench}) {
+    for (const CLI::App* command : {scan, track, bench, check}) {
         if (command->parsed()) check_no_options_before(app, command->get_name());
     }
     if (scan->parsed()) return to_scan_options(model_arguments);
     if (track->parsed()) return to_track_options(model_arguments);
     if (bench->parsed()) return to_bench_options(bench_arguments);
+    if (check->parsed()) return check_options;
     RunOptions options = to_run_options(run_arguments);
     if (run_arguments.print_config) return PrintedText{print_config(options.config)};
     return options;

@@ -52,12 +52,18 @@ struct BenchOptions {
     std::optional<std::string> json_file;  ///< "-" is standard output
 };
 
+/// `touchstone check`: is this machine ready?
+struct CheckOptions {
+    std::string config_file;  ///< empty: the defaults. Read by the check: a bad one is a finding.
+    bool json = false;
+};
+
 /// Text for standard output and then success: --help, --version, --print-config.
 struct PrintedText {
     std::string text;
 };
 
-using Command = std::variant<RunOptions, ScanOptions, TrackOptions, BenchOptions, PrintedText>;
+using Command = std::variant<RunOptions, ScanOptions, TrackOptions, BenchOptions, CheckOptions, PrintedText>;
 
 /// Throws Error{usage} for what is not understood, Error{configuration or no_input} for the configuration
 /// file.

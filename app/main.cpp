@@ -2,6 +2,7 @@
 #include <exception>
 
 #include "app/bench_command.hpp"
+#include "app/check_command.hpp"
 #include "app/command_line.hpp"
 #include "app/run_command.hpp"
 #include "app/scan_command.hpp"
@@ -21,6 +22,8 @@ touchstone::ExitStatus execute(const touchstone::Command& command) {
         return touchstone::track_command(*track);
     if (const auto* bench = std::get_if<touchstone::BenchOptions>(&command))
         return touchstone::bench_command(*bench);
+    if (const auto* check = std::get_if<touchstone::CheckOptions>(&command))
+        return touchstone::check_command(*check);
     return touchstone::run_command(std::get<touchstone::RunOptions>(command));
 }
 

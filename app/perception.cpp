@@ -1,5 +1,7 @@
 #include "app/perception.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
@@ -10,6 +12,7 @@
 #include "platform/output/tuio_sink.hpp"
 #include "platform/system/atomic_file.hpp"
 #include "platform/system/log.hpp"
+#include "platform/usb/depth_cameras.hpp"
 
 namespace touchstone {
 
@@ -23,6 +26,17 @@ std::vector<std::unique_ptr<TouchSink>> make_sinks(const RunOptions& options) {
     if (options.events_file) sinks.push_back(std::make_unique<EventLog>(*options.events_file));
     if (options.config.tuio_enabled) sinks.push_back(std::make_unique<TuioSink>(options.config.tuio));
     return sinks;
+}
+
+/// Why no camera can be opened, for the operator.
+std::string what_is_missing() {
+    try {
+        for (const UsbDepthCamera& camera : find_depth_cameras(list_usb_devices()))
+            if (const std::string problem = problem_of(camera); !problem.empty()) return problem;
+    } catch (const Error&) {
+        // Without a view of USB there is nothing more to say.
+    }
+    return "Waiting for a depth camera to be plugged in";
 }
 
 bool same_camera(const Intrinsics& a, const Intrinsics& b) {
@@ -39,10 +53,7 @@ Perception::Perception(const RunOptions& options)
     log_info("computing on {}", device_.name());
     prepare_touch_bias();
     if (!options.config.object_file.empty()) object_ = load_scan(options.config.object_file).volume;
-    const std::string& uri = options_.config.sensor_uri;
-    if (uri.empty()) return;
-    camera_ = DepthCamera::open(uri, options_.pace);
-    log_info("reading {}", camera_->name());
+    if (!options_.config.sensor_uri.empty()) open_camera();
 }
 
 Perception::~Perception() {
@@ -57,30 +68,31 @@ std::optional<TableFrame> Perception::step() {
     if (!camera_) return wait_for_camera();
     ReadResult result = camera_->read(read_timeout_ms);
     if (std::holds_alternative<StreamEnd>(result)) return std::nullopt;
-    if (const auto* frame = std::get_if<DepthFrame>(&result)) return process(*frame);
+    if (auto* frame = std::get_if<DepthFrame>(&result)) {
+        const std::string fault = fault_of(*frame);
+        return fault.empty() ? process(*frame) : without_good_frame(fault);
+    }
     if (const auto* lost = std::get_if<CameraLost>(&result)) {
-        if (!camera_->is_device())
+        if (!camera_->can_return())
             throw Error(ExitStatus::unavailable, camera_->name() + ": " + lost->reason);
         log_warning("{}: {}", camera_->name(), lost->reason);
-        camera_.reset();
-        for (const auto& sink : sinks_) sink->release_all();
+        drop_camera();
         return without_frame("sensor_lost", "The depth camera is gone: " + lost->reason);
     }
-    for (const auto& sink : sinks_) sink->idle();
-    return last_shown_.state.empty() ? without_frame("starting", "") : last_shown_;
+    return without_good_frame("The depth camera gives no pictures");
 }
 
 std::optional<TableFrame> Perception::wait_for_camera() {
     try {
-        camera_ = DepthCamera::open(options_.config.sensor_uri, options_.pace);
-        log_info("reading {}", camera_->name());
+        open_camera();
     } catch (const Error& error) {
         if (error.status() != ExitStatus::unavailable) throw;
-        if (last_shown_.note.empty()) log_warning("{}; waiting for one to be plugged in", error.what());
+        const std::string missing = what_is_missing();
+        if (last_shown_.note != missing) log_warning("{}; waiting: {}", error.what(), missing);
         for (const auto& sink : sinks_) sink->idle();
         std::this_thread::sleep_for(retry_interval);
         const std::string state = pipeline_ ? "sensor_lost" : "starting";
-        return without_frame(state, "Waiting for a depth camera to be plugged in");
+        return without_frame(state, missing);
     }
     return without_frame(pipeline_ ? "sensor_lost" : "starting", "");
 }
@@ -91,6 +103,21 @@ TableFrame Perception::without_frame(const std::string& state, const std::string
     last_shown_.touches.clear();
     last_shown_.hovers.clear();
     return last_shown_;
+}
+
+void Perception::open_camera() {
+    camera_ = DepthCamera::open(options_.config.sensor_uri, options_.pace);
+    const std::chrono::milliseconds three_frames(std::lround(3000.0 / camera_->rate_hz()));
+    recovery_.opened(std::chrono::steady_clock::now(),
+                     std::max(three_frames, std::chrono::milliseconds(500)));
+    judge_ = FrameJudge();
+    light_state_.clear();
+    log_info("reading {}", camera_->name());
+}
+
+void Perception::drop_camera() {
+    camera_.reset();
+    for (const auto& sink : sinks_) sink->release_all();
 }
 
 TableFrame Perception::process(const DepthFrame& frame) {
@@ -105,12 +132,14 @@ TableFrame Perception::process(const DepthFrame& frame) {
         result.touches.clear();
         result.hovers.clear();
     }
+    recovery_.healthy(std::chrono::steady_clock::now());
     publish(result, frame);
     save_scan_when_new(result.state);
     TableFrame shown;
     shown.index = frame.index;
     shown.timestamp_us = frame.timestamp_us;
     shown.state = state_word(result.state);
+    show_light(shown.state);
     shown.scan_progress = result.scan_progress;
     shown.scan_frames_done = result.scan_frames_done;
     shown.scan_frames_wanted = options_.config.interaction.scan_frames;

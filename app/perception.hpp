@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/camera_recovery.hpp"
 #include "app/command_line.hpp"
+#include "app/frame_health.hpp"
 #include "app/frame_outputs.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
@@ -32,6 +34,14 @@ class Perception {
 
   private:
     std::optional<TableFrame> wait_for_camera();
+    void open_camera();
+    /// What is wrong with a picture of a camera that only seems to live; empty when it is good. Puts its time
+    /// right.
+    std::string fault_of(DepthFrame& frame);
+    TableFrame without_good_frame(const std::string& fault);
+    void help_camera(const std::string& fault);
+    void drop_camera();
+    void show_light(const std::string& state);
     TableFrame process(const DepthFrame& frame);
     TableFrame without_frame(const std::string& state, const std::string& note);
     void publish(const InteractionFrame& result, const DepthFrame& frame);
@@ -49,6 +59,10 @@ class Perception {
     Device device_;
     SensorSession session_;  ///< for the whole life: loading OpenNI2 anew is slow and loses memory
     std::optional<DepthCamera> camera_;
+    CameraRecovery recovery_;
+    FrameJudge judge_;
+    SteadyTime time_;
+    std::string light_state_;
     std::unique_ptr<InteractionPipeline> pipeline_;
     std::optional<VolumeSnapshot> object_;  ///< that is followed in hands
     std::vector<std::unique_ptr<TouchSink>> sinks_;

@@ -228,6 +228,19 @@ void DepthCamera::start_recording(const std::string& path) {
     impl_->recording.emplace(path, impl_->depth, impl_->color);
 }
 
+void DepthCamera::restart() {
+    impl_->color.stop();
+    impl_->depth.stop();
+    impl_->start_streams();
+}
+
+void DepthCamera::show_light(CameraLight light) {
+    const int shown = light == CameraLight::green ? TOUCHSTONE_LIGHT_GREEN
+                      : light == CameraLight::red ? TOUCHSTONE_LIGHT_RED
+                                                  : TOUCHSTONE_LIGHT_BLINKING_GREEN;
+    if (is_device()) impl_->device.setProperty(TOUCHSTONE_DEVICE_PROPERTY_LIGHT, shown);
+}
+
 void DepthCamera::stop_recording() { impl_->recording.reset(); }
 
 const Intrinsics& DepthCamera::intrinsics() const { return impl_->intrinsics; }
@@ -235,6 +248,7 @@ double DepthCamera::rate_hz() const { return impl_->depth.getVideoMode().getFps(
 Pace DepthCamera::pace() const { return impl_->pace; }
 bool DepthCamera::has_color() const { return impl_->has_color; }
 bool DepthCamera::is_device() const { return impl_->kind == SensorKind::device; }
+bool DepthCamera::can_return() const { return is_device() || impl_->kind == SensorKind::simulator; }
 const std::string& DepthCamera::name() const { return impl_->name; }
 
 }  // namespace touchstone

@@ -10,6 +10,8 @@
 
 namespace touchstone {
 
+enum class CameraLight { green, blinking_green, red };
+
 struct ReadTimeout {};  ///< no frame in time; the camera is fine as far as known
 struct StreamEnd {};    ///< after the last frame of a recording, a sequence or a finite simulation
 struct CameraLost {     ///< unplugged or dead: close it and wait for a device
@@ -41,8 +43,15 @@ class DepthCamera {
     double rate_hz() const;
     Pace pace() const;
     bool has_color() const;
+    /// Begins the streams anew, for a camera that went silent. Throws Error{unavailable}.
+    void restart();
+    /// What a camera's light shows, where it has one.
+    void show_light(CameraLight light);
+
     /// A camera on USB, not a recording, a sequence or a simulation.
     bool is_device() const;
+    /// It may come back once it is lost: a device, or a simulation of one.
+    bool can_return() const;
     /// For people: the URI and the device's name.
     const std::string& name() const;
 

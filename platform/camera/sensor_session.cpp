@@ -3,6 +3,8 @@
 #include <OpenNI.h>
 #include <algorithm>
 #include <fmt/core.h>
+#include <fstream>
+#include <set>
 #include <string_view>
 #include <thread>
 
@@ -50,6 +52,20 @@ std::optional<std::string> first_attached_device() {
 bool any_device_attached() {
     const SensorSession session;
     return first_attached_device().has_value();
+}
+
+std::vector<std::string> loaded_drivers() {
+    constexpr std::string_view folder = "/OpenNI2/Drivers/";
+    std::set<std::string> names;
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);) {
+        const std::size_t at = line.find(folder);
+        if (at == std::string::npos) continue;
+        const std::string file = line.substr(at + folder.size());
+        const std::size_t start = file.starts_with("lib") ? 3 : 0;
+        names.insert(file.substr(start, file.find('.') - start));
+    }
+    return {names.begin(), names.end()};
 }
 
 bool wait_for_device(std::chrono::milliseconds timeout) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <string>
+#include <vector>
 
 namespace touchstone {
 
@@ -18,6 +20,10 @@ class SensorSession {
 
 /// Whether a driver has announced a depth camera (files and simulations do not count).
 bool any_device_attached();
+
+/// Names of the drivers that OpenNI2 has loaded, such as "PS1080", for libPS1080.so.0; a SensorSession must
+/// live.
+std::vector<std::string> loaded_drivers();
 
 /// Waits until a driver announces a depth camera, which it does by itself when one is plugged in; false when
 /// the time is over. Looks four times a second.

@@ -2,6 +2,7 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <GLES3/gl31.h>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -60,6 +61,11 @@ EglContext::EglContext() : display_(open_display()) {
         if (context_) eglDestroyContext(display_, context_);
         throw;
     }
+}
+
+std::string EglContext::renderer() const {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name == nullptr ? "unknown" : name;
 }
 
 // The EGLDisplay is one per process and shared by all contexts: eglTerminate would break the others.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace touchstone {
 
 /// An OpenGL ES 3.1 context without a surface, current on the thread that makes it until it is destroyed
@@ -10,6 +12,9 @@ class EglContext {
     ~EglContext();
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
+
+    /// What draws, in the driver's words.
+    std::string renderer() const;
 
   private:
     void* display_ = nullptr;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "platform/opencl/device_error.hpp"
+#include "platform/opencl/device_list.hpp"
 
 namespace touchstone {
 
@@ -99,6 +100,12 @@ void Device::finish() const {
     } catch (const cl::Error& error) {
         throw DeviceError("clFinish", error.err(), name_);
     }
+}
+
+std::vector<std::string> opencl_device_names() {
+    std::vector<std::string> names;
+    for (const cl::Device& device : all_devices()) names.push_back(device.getInfo<CL_DEVICE_NAME>());
+    return names;
 }
 
 std::filesystem::path default_cache_dir() {

@@ -46,6 +46,17 @@ TEST(CommandLine, BenchTakesEveryFrameInOrder) {
     EXPECT_EQ(options.side_m, 3.0f);
 }
 
+TEST(CommandLine, CheckReadsItsConfigurationItself) {
+    const CheckOptions plain = std::get<CheckOptions>(parse({"check"}));
+    EXPECT_FALSE(plain.json);
+    EXPECT_EQ(plain.config_file, "");
+    const CheckOptions options =
+        std::get<CheckOptions>(parse({"check", "--json", "--config", "/nowhere.toml"}));
+    EXPECT_TRUE(options.json);
+    EXPECT_EQ(options.config_file, "/nowhere.toml");
+    expect_error([] { parse({"--frames", "3", "check"}); }, ExitStatus::usage, testing::HasSubstr("check"));
+}
+
 TEST(CommandLine, PrintConfigAndHelpAreTextsForStandardOutput) {
     EXPECT_THAT(std::get<PrintedText>(parse({"run", "--print-config"})).text,
                 testing::HasSubstr("[scan]\nframes = 20"));

@@ -11,8 +11,28 @@ enum {
        of view. */
     TOUCHSTONE_DEVICE_PROPERTY_INTRINSICS = 0x54530002,
     /* TouchstoneDriverError, read only: why the device went to ONI_DEVICE_STATE_ERROR. */
-    TOUCHSTONE_DEVICE_PROPERTY_LAST_ERROR = 0x54530003
+    TOUCHSTONE_DEVICE_PROPERTY_LAST_ERROR = 0x54530003,
+    /* int, read and write: a TouchstoneLight, what the device's light shows. Kinect. */
+    TOUCHSTONE_DEVICE_PROPERTY_LIGHT = 0x54530004,
+    /* float, read and write: the head's tilt in degrees against the horizon, up is positive, -30 to 30.
+       Reading gives the present angle; writing starts the motor, which takes seconds. Not for use many times
+       a minute: the motor rests then by itself. Kinect. */
+    TOUCHSTONE_DEVICE_PROPERTY_TILT = 0x54530005,
+    /* TouchstoneVector, read only: gravity as the accelerometer feels it, m/s^2, in the camera's frame (x
+       right, y down, z forward, depth picture not mirrored). Kinect. */
+    TOUCHSTONE_DEVICE_PROPERTY_GRAVITY = 0x54530006
 };
+
+enum TouchstoneLight {
+    TOUCHSTONE_LIGHT_OFF = 0,
+    TOUCHSTONE_LIGHT_GREEN = 1,
+    TOUCHSTONE_LIGHT_BLINKING_GREEN = 2,
+    TOUCHSTONE_LIGHT_RED = 3
+};
+
+typedef struct TouchstoneVector {
+    float x, y, z;
+} TouchstoneVector;
 
 enum TouchstonePace {
     TOUCHSTONE_PACE_LIVE = 0, /* frames come at the source's rate; a slow reader gets the latest */

@@ -15,7 +15,13 @@ struct SourceFrame {
     std::uint64_t timestamp_us = 0;       ///< of the source's clock
     std::vector<std::uint16_t> depth_mm;  ///< width x height, row-major, 0 = invalid
     std::vector<std::uint8_t>
-        color_rgb;  ///< 3 bytes a pixel, row-major; empty when there is none for this frame
+        color_rgb;          ///< 3 bytes a pixel, row-major; empty when there is none for this frame
+    bool withheld = false;  ///< made, but not handed over: a camera that stalls
+};
+
+/// Thrown by FrameSource::next: the camera is pulled out, and comes back after so many seconds.
+struct SourceUnplugged {
+    double back_after_s;
 };
 
 enum class Pace {
@@ -40,6 +46,8 @@ class FrameSource {
     virtual const SourceInfo& info() const = 0;
     /// Colour is made only when a colour stream runs.
     virtual void enable_color(bool enabled) = 0;
+    /// A reader has stopped and started its streams.
+    virtual void restarted() {}
     /// Fills the next frame; false after the last one. Throws Error (system/error.hpp) on bad data.
     virtual bool next(SourceFrame& frame) = 0;
 };

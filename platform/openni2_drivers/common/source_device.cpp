@@ -16,10 +16,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto longest_sleep = std::chrono::milliseconds(20);
 
-float field_of_view_rad(int size_px, float focal_px) {
-    return 2.0F * std::atan(static_cast<float>(size_px) / (2.0F * focal_px));
-}
-
 StreamDescription describe(const SourceInfo& info, OniSensorType sensor) {
     const bool depth = sensor == ONI_SENSOR_DEPTH;
     const Intrinsics& k = info.intrinsics;
@@ -41,10 +37,12 @@ TouchstoneDriverError driver_error(ExitStatus status, const char* message) {
 }  // namespace
 
 SourceDevice::SourceDevice(std::unique_ptr<FrameSource> source,
-                           std::function<void(OniDeviceState)> state_changed)
+                           std::function<void(OniDeviceState)> state_changed,
+                           std::function<void(double)> unplugged)
     : source_(std::move(source)),
       info_(source_->info()),
       state_changed_(std::move(state_changed)),
+      unplugged_(std::move(unplugged)),
       depth_description_(describe(info_, ONI_SENSOR_DEPTH)),
       color_description_(describe(info_, ONI_SENSOR_COLOR)),
       pace_(info_.default_pace) {
@@ -69,8 +67,10 @@ oni::driver::StreamBase* SourceDevice::createStream(OniSensorType sensor) {
     if (!depth && (sensor != ONI_SENSOR_COLOR || !info_.has_color)) return nullptr;
     const std::lock_guard lock(mutex_);
     auto& stream = depth ? depth_ : color_;
-    stream = std::make_unique<SourceStream>(depth ? depth_description_ : color_description_,
-                                            [this] { running_changed(); });
+    stream = std::make_unique<SourceStream>(depth ? depth_description_ : color_description_, [this] {
+        running_changed();
+        return true;
+    });
     return stream.get();
 }
 
@@ -128,6 +128,7 @@ void SourceDevice::running_changed() {
         const std::lock_guard lock(mutex_);
         source_->enable_color(color_ && color_->running());
         run = any_stream_runs() && pace_ == Pace::live && !ended_;
+        if (run && !live_ && std::exchange(has_run_, true)) source_->restarted();
     }
     if (run == live_) return;
     live_ = run;
@@ -161,12 +162,16 @@ bool SourceDevice::deliver_next() {
     // Without the lock: a listener may ask for properties.
     if (outcome == Outcome::end) state_changed_(ONI_DEVICE_STATE_EOF);
     if (outcome == Outcome::failed) state_changed_(ONI_DEVICE_STATE_ERROR);
+    if (outcome == Outcome::unplugged && unplugged_) unplugged_(back_after_s_);
     return outcome == Outcome::delivered;
 }
 
 SourceDevice::Outcome SourceDevice::make_frame() {
     try {
         if (!source_->next(frame_)) return Outcome::end;
+    } catch (const SourceUnplugged& pulled) {
+        back_after_s_ = pulled.back_after_s;
+        return Outcome::unplugged;
     } catch (const Error& error) {
         error_ = driver_error(error.status(), error.what());
         return Outcome::failed;
@@ -174,6 +179,7 @@ SourceDevice::Outcome SourceDevice::make_frame() {
         error_ = driver_error(ExitStatus::bad_data, error.what());
         return Outcome::failed;
     }
+    if (frame_.withheld) return Outcome::delivered;
     if (color_ && color_->running()) {
         color_->deliver(frame_.color_rgb.data(), frame_.color_rgb.size(), frame_.index, frame_.timestamp_us);
     }

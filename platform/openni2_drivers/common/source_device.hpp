@@ -23,7 +23,9 @@ namespace touchstone {
 /// mid-stream makes it ONI_DEVICE_STATE_ERROR with the reason in TOUCHSTONE_DEVICE_PROPERTY_LAST_ERROR.
 class SourceDevice : public oni::driver::DeviceBase {
   public:
-    SourceDevice(std::unique_ptr<FrameSource> source, std::function<void(OniDeviceState)> state_changed);
+    /// `unplugged` is told after how many seconds the device is back.
+    SourceDevice(std::unique_ptr<FrameSource> source, std::function<void(OniDeviceState)> state_changed,
+                 std::function<void(double)> unplugged = {});
     ~SourceDevice() override;
 
     OniStatus getSensorInfoList(OniSensorInfo** sensors, int* count) override;
@@ -35,7 +37,7 @@ class SourceDevice : public oni::driver::DeviceBase {
     OniStatus tryManualTrigger() override;
 
   private:
-    enum class Outcome { delivered, end, failed };
+    enum class Outcome { delivered, end, failed, unplugged };
 
     void running_changed();
     void run_live();
@@ -47,6 +49,8 @@ class SourceDevice : public oni::driver::DeviceBase {
     std::unique_ptr<FrameSource> source_;
     const SourceInfo info_;
     std::function<void(OniDeviceState)> state_changed_;
+    std::function<void(double)> unplugged_;
+    double back_after_s_ = 0;
     StreamDescription depth_description_, color_description_;
     OniSensorInfo sensors_[2]{};
 
@@ -54,7 +58,7 @@ class SourceDevice : public oni::driver::DeviceBase {
     SourceFrame frame_;
     std::unique_ptr<SourceStream> depth_, color_;
     TouchstoneDriverError error_{};
-    bool ended_ = false;
+    bool ended_ = false, has_run_ = false;
 
     std::atomic<Pace> pace_;
     std::thread live_thread_;

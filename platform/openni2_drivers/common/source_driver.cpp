@@ -15,9 +15,25 @@ SourceDriver::SourceDriver(OniDriverServices* services, SourceScheme scheme)
 OniStatus SourceDriver::tryDevice(const char* uri) {
     const std::string_view text = uri;
     if (!text.starts_with(scheme_.prefix) || text.size() >= ONI_MAX_STR) return ONI_STATUS_NO_DEVICE;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto pulled = back_at_.find(uri);
+        if (pulled != back_at_.end() && std::chrono::steady_clock::now() < pulled->second)
+            return ONI_STATUS_NO_DEVICE;
+    }
     const OniDeviceInfo info = device_info(uri);
     deviceConnected(&info);
     return ONI_STATUS_OK;
+}
+
+void SourceDriver::unplug(const OniDeviceInfo& info, double back_after_s) {
+    {
+        const std::lock_guard lock(mutex_);
+        back_at_[info.uri] = std::chrono::steady_clock::now() +
+                             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                 std::chrono::duration<double>(back_after_s));
+    }
+    deviceDisconnected(&info);
 }
 
 oni::driver::DeviceBase* SourceDriver::deviceOpen(const char* uri, const char*) {
@@ -28,7 +44,10 @@ oni::driver::DeviceBase* SourceDriver::deviceOpen(const char* uri, const char*) 
         auto state_changed = [this, info = device_info(uri)](OniDeviceState state) {
             deviceStateChanged(&info, state);
         };
-        return std::make_unique<SourceDevice>(std::move(source), std::move(state_changed)).release();
+        auto unplugged = [this, info = device_info(uri)](double back_after_s) { unplug(info, back_after_s); };
+        return std::make_unique<SourceDevice>(std::move(source), std::move(state_changed),
+                                              std::move(unplugged))
+            .release();
     } catch (const Error& error) {
         status = error.status();
         message = error.what();

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -31,8 +34,11 @@ class SourceDriver : public oni::driver::DriverBase {
 
   private:
     OniDeviceInfo device_info(const char* uri) const;
+    void unplug(const OniDeviceInfo& info, double back_after_s);
 
     SourceScheme scheme_;
+    std::mutex mutex_;
+    std::map<std::string, std::chrono::steady_clock::time_point> back_at_;  ///< URIs pulled out
 };
 
 }  // namespace touchstone

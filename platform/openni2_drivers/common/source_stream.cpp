@@ -1,6 +1,7 @@
 #include "platform/openni2_drivers/common/source_stream.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
@@ -9,28 +10,35 @@
 namespace touchstone {
 namespace {
 
-// The recorder's depth codec turns values that are not below this one into others. 65535 itself never occurs:
-// it means invalid in several data sets.
-constexpr int max_depth_mm = 65535;
+int pixel_bytes(const OniVideoMode& mode) { return mode.pixelFormat == ONI_PIXEL_FORMAT_RGB888 ? 3 : 2; }
 
-int stride_bytes(const OniVideoMode& mode) {
-    return mode.resolutionX * (mode.pixelFormat == ONI_PIXEL_FORMAT_RGB888 ? 3 : 2);
-}
+int stride_bytes(const OniVideoMode& mode) { return mode.resolutionX * pixel_bytes(mode); }
 
 bool same_mode(const OniVideoMode& a, const OniVideoMode& b) {
     return a.pixelFormat == b.pixelFormat && a.resolutionX == b.resolutionX &&
            a.resolutionY == b.resolutionY && a.fps == b.fps;
 }
 
+/// A row from its last pixel to its first.
+void reverse_row(const std::byte* row, std::byte* target, std::size_t pixels, std::size_t bytes_each) {
+    for (std::size_t x = 0; x < pixels; ++x)
+        std::memcpy(target + x * bytes_each, row + (pixels - 1 - x) * bytes_each, bytes_each);
+}
+
 }  // namespace
 
-SourceStream::SourceStream(const StreamDescription& description, std::function<void()> running_changed)
+float field_of_view_rad(int size_px, float focal_px) {
+    return 2.0F * std::atan(static_cast<float>(size_px) / (2.0F * focal_px));
+}
+
+SourceStream::SourceStream(const StreamDescription& description, std::function<bool()> running_changed)
     : description_(description), running_changed_(std::move(running_changed)) {}
 
 OniStatus SourceStream::start() {
     running_ = true;
-    running_changed_();
-    return ONI_STATUS_OK;
+    if (running_changed_()) return ONI_STATUS_OK;
+    running_ = false;
+    return ONI_STATUS_ERROR;
 }
 
 void SourceStream::stop() {
@@ -50,12 +58,13 @@ OniStatus SourceStream::getProperty(int id, void* data, int* size) {
         case ONI_STREAM_PROPERTY_STRIDE:
             return give_property(stride_bytes(mode), data, size);
         case ONI_STREAM_PROPERTY_MIRRORING:
-            return give_property(OniBool{FALSE}, data, size);
+            return give_property(OniBool{mirrored_ ? TRUE : FALSE}, data, size);
         case ONI_STREAM_PROPERTY_CROPPING:  // the stock player shows nothing of a recording without this
                                             // property
             return give_property(OniCropping{FALSE, 0, 0, mode.resolutionX, mode.resolutionY}, data, size);
         case ONI_STREAM_PROPERTY_MAX_VALUE:
-            if (description_.sensor == ONI_SENSOR_DEPTH) return give_property(max_depth_mm, data, size);
+            if (description_.sensor == ONI_SENSOR_DEPTH)
+                return give_property(description_.max_depth_mm, data, size);
             break;
         case ONI_STREAM_PROPERTY_MIN_VALUE:
             if (description_.sensor == ONI_SENSOR_DEPTH) return give_property(0, data, size);
@@ -73,7 +82,9 @@ OniStatus SourceStream::setProperty(int id, const void* data, int size) {
     }
     if (id == ONI_STREAM_PROPERTY_MIRRORING) {
         const auto mirrored = take_property<OniBool>(data, size);
-        return mirrored && *mirrored == FALSE ? ONI_STATUS_OK : ONI_STATUS_NOT_SUPPORTED;
+        if (!mirrored || (*mirrored != FALSE && !description_.can_mirror)) return ONI_STATUS_NOT_SUPPORTED;
+        mirrored_ = *mirrored != FALSE;
+        return ONI_STATUS_OK;
     }
     return ONI_STATUS_NOT_SUPPORTED;
 }
@@ -100,6 +111,26 @@ void SourceStream::notifyAllProperties() {
     raisePropertyChanged(ONI_STREAM_PROPERTY_VIDEO_MODE, &description_.mode, sizeof(OniVideoMode));
 }
 
+void SourceStream::set_field_of_view(float horizontal_rad, float vertical_rad) {
+    description_.horizontal_fov_rad = horizontal_rad;
+    description_.vertical_fov_rad = vertical_rad;
+    notifyAllProperties();
+}
+
+void SourceStream::copy_rows(const void* pixels, std::size_t bytes, void* target) const {
+    if (!mirrored_) {
+        std::memcpy(target, pixels, bytes);
+        return;
+    }
+    const auto width = static_cast<std::size_t>(description_.mode.resolutionX);
+    const auto bytes_each = static_cast<std::size_t>(pixel_bytes(description_.mode));
+    const std::size_t stride = width * bytes_each;
+    for (std::size_t at = 0; at + stride <= bytes; at += stride) {
+        reverse_row(static_cast<const std::byte*>(pixels) + at, static_cast<std::byte*>(target) + at, width,
+                    bytes_each);
+    }
+}
+
 void SourceStream::deliver(const void* pixels, std::size_t bytes, int index, std::uint64_t timestamp_us) {
     OniFrame* frame = getServices().acquireFrame();
     if (frame == nullptr) return;
@@ -107,7 +138,7 @@ void SourceStream::deliver(const void* pixels, std::size_t bytes, int index, std
     const auto capacity =
         static_cast<std::size_t>(stride_bytes(mode)) * static_cast<std::size_t>(mode.resolutionY);
     const std::size_t size = std::min(bytes, capacity);
-    if (size > 0) std::memcpy(frame->data, pixels, size);
+    if (size > 0) copy_rows(pixels, size, frame->data);
     std::memset(static_cast<std::byte*>(frame->data) + size, 0, capacity - size);
     frame->dataSize = static_cast<int>(size);
     frame->sensorType = description_.sensor;

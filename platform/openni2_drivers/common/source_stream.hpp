@@ -8,22 +8,32 @@
 
 namespace touchstone {
 
-/// What a stream tells about itself; fixed for its life.
+/// What a stream tells about itself.
 struct StreamDescription {
     OniSensorType sensor = ONI_SENSOR_DEPTH;
     OniVideoMode mode{};
     float horizontal_fov_rad = 0;
     float vertical_fov_rad = 0;
+    bool can_mirror = false;
+    /// Of depth. The recorder's depth codec turns values that are not below it into others; 65535 itself
+    /// never occurs: it means invalid in several data sets.
+    int max_depth_mm = 65535;
 };
 
-/// Depth in millimetres or RGB, one video mode, never mirrored nor cropped.
+/// The whole angle that `size_px` pixels cover, radians.
+float field_of_view_rad(int size_px, float focal_px);
+
+/// Depth in millimetres or RGB, one video mode, never cropped.
 class SourceStream : public oni::driver::StreamBase {
   public:
-    SourceStream(const StreamDescription& description, std::function<void()> running_changed);
+    /// `running_changed` is called after each change; where it says false the stream does not start.
+    SourceStream(const StreamDescription& description, std::function<bool()> running_changed);
 
     OniStatus start() override;
     void stop() override;
     bool running() const { return running_; }
+    /// For a driver whose camera geometry changes; listeners are told.
+    void set_field_of_view(float horizontal_rad, float vertical_rad);
 
     OniStatus setProperty(int id, const void* data, int size) override;
     OniStatus getProperty(int id, void* data, int* size) override;
@@ -35,9 +45,12 @@ class SourceStream : public oni::driver::StreamBase {
     void deliver(const void* pixels, std::size_t bytes, int index, std::uint64_t timestamp_us);
 
   private:
+    void copy_rows(const void* pixels, std::size_t bytes, void* target) const;
+
     StreamDescription description_;
-    std::function<void()> running_changed_;
+    std::function<bool()> running_changed_;
     std::atomic<bool> running_ = false;
+    std::atomic<bool> mirrored_ = false;
 };
 
 }  // namespace touchstone

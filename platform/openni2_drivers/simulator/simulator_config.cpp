@@ -15,7 +15,7 @@ constexpr std::string_view key_names =
     "seed, hands, frames, noise, drift, human, sleeve, gestures, truth, masks, height, tilt, empty, rate, "
     "poses, motion, "
     "person, person_s, mesh, size_m, grip, distance, object, put_s, take_s, cycle_s, knock_s, knock_deg, "
-    "knock_mm";
+    "knock_mm, unplug_at, stall_at, freeze_at, tear, clock_jump, fault_s";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -193,6 +193,18 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
     return true;
 }
 
+bool set_fault(SimulatorFaults& faults, std::string_view key, std::string_view value) {
+    const Names<double*, 6> seconds{{{"unplug_at", &faults.unplug_s},
+                                     {"stall_at", &faults.stall_s},
+                                     {"freeze_at", &faults.freeze_s},
+                                     {"tear", &faults.tear_s},
+                                     {"clock_jump", &faults.clock_jump_s},
+                                     {"fault_s", &faults.fault_s}}};
+    const auto target = find_name(seconds, key);
+    if (target) **target = parse_number(key, value, 0.0, 3600.0);
+    return target.has_value();
+}
+
 bool set_object(SimulatorConfig& config, std::string_view key, std::string_view value) {
     if (key == "object")
         config.object = parse_object(value);
@@ -236,7 +248,8 @@ void set_pair(Parsed& parsed, std::string_view pair, std::string_view scene) {
     const std::string_view value = pair.substr(equals + 1);
     if (!applies(key, parsed.config.scene)) refuse(fmt::format("key {} is not for the scene {}", key, scene));
     if (set_switch(parsed, key, value) || set_number(parsed.config, key, value) ||
-        set_object(parsed.config, key, value) || set_text(parsed.config, key, value))
+        set_object(parsed.config, key, value) || set_fault(parsed.config.faults, key, value) ||
+        set_text(parsed.config, key, value))
         return;
     refuse(fmt::format("unknown key '{}'; the keys are {}", key, key_names));
 }

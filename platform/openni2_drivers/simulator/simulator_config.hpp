@@ -39,6 +39,19 @@ enum class Gestures {
 /// Whether hands touch a table in the scene.
 constexpr bool is_table(SimulatedScene scene) { return scene <= SimulatedScene::mixed; }
 
+/// What goes wrong with the simulated camera, seconds after it was opened; negative: never.
+struct SimulatorFaults {
+    double unplug_s = -1.0;      ///< it is pulled out, for fault_s
+    double stall_s = -1.0;       ///< no pictures for fault_s, or until its stream is restarted
+    double freeze_s = -1.0;      ///< the same picture again and again, likewise
+    double tear_s = -1.0;        ///< one picture whose lower half is the one before
+    double clock_jump_s = -1.0;  ///< the clock goes on an hour later
+    double fault_s = 2.0;        ///< how long; 0: until it is restarted
+    bool any() const {
+        return unplug_s >= 0 || stall_s >= 0 || freeze_s >= 0 || tear_s >= 0 || clock_jump_s >= 0;
+    }
+};
+
 /// What a sensor URI `sim:SCENE?key=value&key=value` asks for.
 struct SimulatorConfig {
     SimulatedScene scene = SimulatedScene::mixed;
@@ -72,6 +85,7 @@ struct SimulatorConfig {
     double knock_s = 5.0;      ///< when the camera is knocked, in one frame step
     double knock_deg = 0.0;    ///< it turns by so much about an axis from the seed
     double knock_mm = 0.0;     ///< and is shifted by so much in a direction from the seed
+    SimulatorFaults faults;
     std::string poses_path;  ///< empty = no poses: the camera's true pose in the scene, a line for each frame
 };
 

@@ -1,0 +1,46 @@
+#include "app/check_command.hpp"
+
+#include <cstdio>
+#include <utility>
+
+#include "app/check_report.hpp"
+#include "app/machine_checks.hpp"
+#include "app/progress_line.hpp"
+#include "app/sensor_checks.hpp"
+#include "platform/opencl/device.hpp"
+#include "platform/system/log.hpp"
+
+namespace touchstone {
+namespace {
+
+void append(std::vector<CheckLine>& lines, std::vector<CheckLine> more) {
+    for (CheckLine& line : more) lines.push_back(std::move(line));
+}
+
+std::vector<CheckLine> check_all(const CheckOptions& options) {
+    ProgressLine progress;
+    Config config;
+    progress.show("checking configuration and sensors");
+    const CheckLine configuration = check_configuration(options.config_file, config);
+    std::vector<CheckLine> lines = check_sensors();
+    progress.show("checking and measuring OpenCL devices");
+    append(lines, check_compute(config));
+    lines.push_back(check_drawing());
+    lines.push_back(check_outputs());
+    lines.push_back(check_uinput());
+    lines.push_back(check_service());
+    lines.push_back(check_disk(default_cache_dir()));
+    lines.push_back(configuration);
+    return lines;
+}
+
+}  // namespace
+
+ExitStatus check_command(const CheckOptions& options) {
+    set_log_level(LogLevel::error);
+    const std::vector<CheckLine> lines = check_all(options);
+    std::fputs((options.json ? check_json(lines) : check_text(lines)).c_str(), stdout);
+    return check_exit_status(lines);
+}
+
+}  // namespace touchstone

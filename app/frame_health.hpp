@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "platform/camera/depth_frame.hpp"
+
+namespace touchstone {
+
+enum class FrameHealth {
+    good,
+    frozen,  ///< the same picture, pixel by pixel, half a second long: a real sensor's noise forbids that
+    blind,   ///< no depth anywhere, half a second long
+};
+
+/// Tells pictures of a live camera from those of one that only seems to live.
+class FrameJudge {
+  public:
+    FrameHealth judge(const DepthFrame& frame);
+
+  private:
+    std::vector<std::uint16_t> last_mm_;
+    int same_ = 0, blind_ = 0;
+};
+
+/// A camera's clock that jumps by more than 2 s against the host's goes on as if it had not.
+class SteadyTime {
+  public:
+    /// Both in microseconds.
+    std::uint64_t steady_us(std::uint64_t camera_us, std::uint64_t host_us);
+    int jumps() const { return jumps_; }
+
+  private:
+    struct Reading {
+        std::int64_t time_us, host_us;
+    };
+    std::optional<Reading> last_;
+    std::int64_t offset_us_ = 0;
+    int jumps_ = 0;
+};
+
+}  // namespace touchstone

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/check_report.hpp"
+#include "app/config.hpp"
+
+namespace touchstone {
+
+/// The configuration file, if one is named; what it says is taken over where it can be read.
+CheckLine check_configuration(const std::string& file, Config& config);
+
+/// Every OpenCL device with its self-test, and how long a frame takes on the one that is configured: some
+/// seconds.
+std::vector<CheckLine> check_compute(const Config& config);
+
+/// "fast" keeps 30 Hz with time to spare, and so on.
+CheckLine speed_line(double median_frame_ms);
+
+/// Drawing without a screen.
+CheckLine check_drawing();
+
+/// Screens and projectors, from the kernel's folder of outputs.
+CheckLine check_outputs(const std::filesystem::path& drm = "/sys/class/drm");
+
+/// The device through which touches become those of a touch screen.
+CheckLine check_uinput(const std::filesystem::path& node = "/dev/uinput");
+
+/// Whether systemd starts touchstone by itself.
+CheckLine check_service(const std::filesystem::path& root = "/");
+
+/// Room for kernel cache and scan.
+CheckLine check_disk(const std::filesystem::path& folder);
+
+}  // namespace touchstone

@@ -1,0 +1,87 @@
+// How the perception loop brings a camera back that is silent, frozen or blind.
+#include "app/perception.hpp"
+#include "platform/system/log.hpp"
+#include "platform/usb/depth_cameras.hpp"
+
+namespace touchstone {
+namespace {
+
+std::uint64_t host_time_us() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
+}
+
+/// A simulation without noise is frozen wherever nothing moves: only one that is told to freeze is watched.
+bool is_watched(const DepthCamera& camera, const std::string& uri) {
+    return camera.is_device() || uri.find("freeze_at=") != std::string::npos ||
+           uri.find("clock_jump=") != std::string::npos;
+}
+
+void reset_on_usb() {
+    try {
+        for (const UsbDepthCamera& camera : find_depth_cameras(list_usb_devices())) {
+            if (camera.state != UsbCameraState::ready) continue;
+            log_warning("resetting {} at USB {}", camera.model, camera.device.name());
+            reset_usb_device(camera.device);
+        }
+    } catch (const Error& error) {
+        log_warning("{}", error.what());
+    }
+}
+
+}  // namespace
+
+std::string Perception::fault_of(DepthFrame& frame) {
+    if (camera_->pace() != Pace::live || !is_watched(*camera_, options_.config.sensor_uri)) return {};
+    const int jumps = time_.jumps();
+    frame.timestamp_us = time_.steady_us(frame.timestamp_us, host_time_us());
+    if (time_.jumps() != jumps) log_warning("{}: its clock has jumped", camera_->name());
+    switch (judge_.judge(frame)) {
+        case FrameHealth::frozen:
+            return "The depth camera gives the same picture again and again";
+        case FrameHealth::blind:
+            return "The depth camera sees nothing: is it covered?";
+        case FrameHealth::good:
+            break;
+    }
+    return {};
+}
+
+TableFrame Perception::without_good_frame(const std::string& fault) {
+    if (camera_->can_return() && camera_->pace() == Pace::live) help_camera(fault);
+    for (const auto& sink : sinks_) sink->idle();
+    if (recovery_.ailing() && pipeline_) return without_frame("sensor_lost", fault);
+    return last_shown_.state.empty() ? without_frame("starting", "") : last_shown_;
+}
+
+void Perception::help_camera(const std::string& fault) {
+    const bool ailed = recovery_.ailing();
+    const Remedy remedy = recovery_.due(std::chrono::steady_clock::now());
+    if (remedy == Remedy::none) return;
+    if (!ailed) {
+        log_warning("{}: {}; restarting its stream", camera_->name(), fault);
+        for (const auto& sink : sinks_) sink->release_all();
+        show_light("sensor_lost");
+    }
+    try {
+        if (remedy == Remedy::restart_stream) {
+            camera_->restart();
+            return;
+        }
+    } catch (const Error& error) {
+        log_warning("{}", error.what());
+    }
+    log_warning("{}: opening it anew", camera_->name());
+    drop_camera();
+    if (remedy == Remedy::reset_and_reopen && !options_.config.sensor_uri.starts_with("sim:")) reset_on_usb();
+}
+
+void Perception::show_light(const std::string& state) {
+    if (!camera_ || state == light_state_) return;
+    light_state_ = state;
+    camera_->show_light(state == "live"          ? CameraLight::green
+                        : state == "sensor_lost" ? CameraLight::red
+                                                 : CameraLight::blinking_green);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,49 @@
+#include "platform/openni2_drivers/simulator/faulty_source.hpp"
+
+#include <algorithm>
+
+namespace touchstone {
+namespace {
+
+constexpr std::uint64_t hour_us = 3'600'000'000;
+
+/// The upper half of the new picture over the lower half of the last.
+void tear(std::vector<std::uint16_t>& depth_mm, const std::vector<std::uint16_t>& last_mm) {
+    if (last_mm.size() != depth_mm.size()) return;
+    const auto half = static_cast<std::ptrdiff_t>(depth_mm.size() / 2);
+    std::copy(last_mm.begin() + half, last_mm.end(), depth_mm.begin() + half);
+}
+
+}  // namespace
+
+bool FaultySource::lasts(double start_s, double time_s) const {
+    return start_s >= 0 && time_s >= start_s && (faults_.fault_s == 0 || time_s < start_s + faults_.fault_s);
+}
+
+void FaultySource::restarted() {
+    for (double* start_s : {&faults_.stall_s, &faults_.freeze_s})
+        if (lasts(*start_s, time_s_)) *start_s = -1.0;
+}
+
+bool FaultySource::next(SourceFrame& frame) {
+    if (!source_->next(made_)) return false;
+    time_s_ = static_cast<double>(made_.timestamp_us) * 1e-6;
+    if (faults_.unplug_s >= 0 && time_s_ >= faults_.unplug_s) throw SourceUnplugged{faults_.fault_s};
+    frame = made_;
+    frame.withheld = lasts(faults_.stall_s, time_s_);
+    if (faults_.clock_jump_s >= 0 && time_s_ >= faults_.clock_jump_s) frame.timestamp_us += hour_us;
+    if (lasts(faults_.freeze_s, time_s_)) {
+        frame.depth_mm = last_mm_;
+        frame.color_rgb = last_rgb_;
+        return true;
+    }
+    if (faults_.tear_s >= 0 && time_s_ >= faults_.tear_s && !torn_) {
+        tear(frame.depth_mm, last_mm_);
+        torn_ = true;
+    }
+    last_mm_ = made_.depth_mm;
+    last_rgb_ = made_.color_rgb;
+    return true;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,94 @@
+#include "app/camera_recovery.hpp"
+
+#include <gtest/gtest.h>
+#include <utility>
+#include <vector>
+
+#include "app/frame_health.hpp"
+
+namespace touchstone {
+namespace {
+
+using std::chrono::milliseconds;
+
+CameraRecovery::Time at(int ms) { return CameraRecovery::Time{} + milliseconds(100'000 + ms); }
+
+/// Remedies with their times, asked every 100 ms.
+std::vector<std::pair<int, Remedy>> remedies(CameraRecovery& recovery, int from_ms, int to_ms) {
+    std::vector<std::pair<int, Remedy>> list;
+    for (int ms = from_ms; ms <= to_ms; ms += 100) {
+        const Remedy remedy = recovery.due(at(ms));
+        if (remedy != Remedy::none) list.emplace_back(ms, remedy);
+    }
+    return list;
+}
+
+TEST(CameraRecovery, FromGentleToRoughWithLongerPauses) {
+    CameraRecovery recovery;
+    recovery.healthy(at(0));
+    EXPECT_FALSE(recovery.ailing());
+    const std::vector<std::pair<int, Remedy>> expected{
+        {500, Remedy::restart_stream},      {1500, Remedy::reopen},
+        {3500, Remedy::reset_and_reopen},   {7500, Remedy::reset_and_reopen},
+        {15'500, Remedy::reset_and_reopen}, {25'500, Remedy::reset_and_reopen}};
+    EXPECT_EQ(remedies(recovery, 0, 30'000), expected);
+    EXPECT_TRUE(recovery.ailing());
+}
+
+TEST(CameraRecovery, AGoodFrameBeginsAnew) {
+    CameraRecovery recovery;
+    recovery.healthy(at(0));
+    remedies(recovery, 0, 4000);
+    recovery.healthy(at(4000));
+    EXPECT_FALSE(recovery.ailing());
+    EXPECT_EQ(remedies(recovery, 4000, 4600).front(), (std::pair{4500, Remedy::restart_stream}));
+}
+
+TEST(CameraRecovery, TheFirstFrameMayTakeLonger) {
+    CameraRecovery recovery;
+    recovery.opened(at(0));
+    EXPECT_EQ(remedies(recovery, 0, 3500).front().first, 3000);
+}
+
+TEST(CameraRecovery, ASlowCameraMayBeSilentLonger) {
+    CameraRecovery recovery;
+    recovery.opened(at(0), milliseconds(3000));
+    recovery.healthy(at(100));
+    EXPECT_EQ(remedies(recovery, 100, 4000).front().first, 3100);
+}
+
+DepthFrame frame_of(std::uint16_t first, std::uint16_t rest) {
+    DepthFrame frame;
+    frame.depth_mm.assign(100, rest);
+    frame.depth_mm[0] = first;
+    return frame;
+}
+
+TEST(FrameJudge, TheSamePictureForHalfASecondIsFrozen) {
+    FrameJudge judge;
+    for (int i = 0; i < 15; ++i) EXPECT_EQ(judge.judge(frame_of(1, 900)), FrameHealth::good) << i;
+    EXPECT_EQ(judge.judge(frame_of(1, 900)), FrameHealth::frozen);
+    EXPECT_EQ(judge.judge(frame_of(2, 900)), FrameHealth::good) << "one pixel is enough";
+    EXPECT_EQ(judge.judge(frame_of(2, 900)), FrameHealth::good);
+}
+
+TEST(FrameJudge, NothingSeenForHalfASecondIsBlind) {
+    FrameJudge judge;
+    for (int i = 0; i < 14; ++i) EXPECT_EQ(judge.judge(frame_of(0, 0)), FrameHealth::good) << i;
+    EXPECT_EQ(judge.judge(frame_of(0, 0)), FrameHealth::blind);
+    EXPECT_EQ(judge.judge(frame_of(500, 0)), FrameHealth::good);
+}
+
+TEST(SteadyTime, GoesOnOverJumpsInBothDirections) {
+    SteadyTime time;
+    EXPECT_EQ(time.steady_us(1000, 0), 1000U);
+    EXPECT_EQ(time.steady_us(34'333, 40'000), 34'333U) << "the host's jitter is not taken over";
+    EXPECT_EQ(time.steady_us(3'600'000'000, 70'000), 64'333U);
+    EXPECT_EQ(time.steady_us(3'600'033'333, 100'000), 97'666U);
+    EXPECT_EQ(time.steady_us(5, 150'000), 147'666U);
+    EXPECT_EQ(time.jumps(), 2);
+    EXPECT_EQ(time.steady_us(3'000'005, 3'150'000), 3'147'666U) << "a pause is no jump";
+}
+
+}  // namespace
+}  // namespace touchstone

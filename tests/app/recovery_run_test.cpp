@@ -1,0 +1,90 @@
+// The program with a simulated camera that fails as real ones do.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "tests/support/run_program.hpp"
+
+namespace touchstone {
+namespace {
+
+using test::ProgramResult;
+using test::run_program;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+ProgramResult run_with(const std::string& sensor, int frames) {
+    return run_program({TOUCHSTONE_PROGRAM, "run", "--sensor", sensor, "--pace", "live", "--frames",
+                        std::to_string(frames), "--display", "headless", "--events", "-"});
+}
+
+std::vector<nlohmann::json> lines_of(const ProgramResult& result) {
+    std::vector<nlohmann::json> lines;
+    std::istringstream text(result.out);
+    for (std::string line; std::getline(text, line);) lines.push_back(nlohmann::json::parse(line));
+    return lines;
+}
+
+/// Every touch that went down has come up, except those of the very last frame.
+void expect_no_touch_left_over(const std::vector<nlohmann::json>& lines) {
+    std::set<int> down;
+    for (const auto& line : lines) {
+        for (const auto& touch : line["touches"]) {
+            if (touch["phase"] == "down")
+                EXPECT_TRUE(down.insert(touch["id"].get<int>()).second) << line;
+            else
+                EXPECT_EQ(down.count(touch["id"].get<int>()), 1U) << line;
+            if (touch["phase"] == "up") down.erase(touch["id"].get<int>());
+        }
+    }
+    for (const auto& touch : lines.back()["touches"]) down.erase(touch["id"].get<int>());
+    EXPECT_TRUE(down.empty());
+}
+
+TEST(RecoveryRun, AStallEndsWithARestartOfTheStream) {
+    const ProgramResult result = run_with("sim:flat?hands=2&seed=3&empty=1&stall_at=4&fault_s=0", 150);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("restarting its stream"));
+    EXPECT_THAT(result.err, Not(HasSubstr("opening it anew")));
+    const auto lines = lines_of(result);
+    ASSERT_EQ(lines.size(), 150U);
+    EXPECT_EQ(lines.back()["state"], "live");
+    expect_no_touch_left_over(lines);
+}
+
+TEST(RecoveryRun, AFrozenPictureIsAFault) {
+    const ProgramResult result = run_with("sim:flat?hands=0&seed=3&freeze_at=2&fault_s=0", 120);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("same picture again"));
+    EXPECT_EQ(lines_of(result).back()["state"], "live");
+}
+
+TEST(RecoveryRun, PulledOutAndBackAgainTwice) {
+    const ProgramResult result = run_with("sim:flat?hands=2&seed=3&empty=1&unplug_at=3&fault_s=1", 200);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("was unplugged"));
+    const auto lines = lines_of(result);
+    ASSERT_EQ(lines.size(), 200U);
+    int returns = 0;
+    for (std::size_t i = 1; i < lines.size(); ++i) returns += lines[i]["frame"] < lines[i - 1]["frame"];
+    EXPECT_GE(returns, 2);
+    expect_no_touch_left_over(lines);
+}
+
+TEST(RecoveryRun, ATornPictureAndAClockThatJumpsTouchNothing) {
+    const ProgramResult result = run_with("sim:flat?hands=0&seed=3&tear=2&clock_jump=3", 130);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("clock has jumped"));
+    std::uint64_t last_us = 0;
+    for (const auto& line : lines_of(result)) {
+        EXPECT_TRUE(line["touches"].empty()) << line;
+        const auto time_us = line["time_us"].get<std::uint64_t>();
+        EXPECT_LT(time_us - last_us, 3'000'000U) << line;
+        last_us = time_us;
+    }
+}
+
+}  // namespace
+}  // namespace touchstone

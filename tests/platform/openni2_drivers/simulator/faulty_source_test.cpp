@@ -1,0 +1,119 @@
+#include "platform/openni2_drivers/simulator/faulty_source.hpp"
+
+#include <gtest/gtest.h>
+#include <optional>
+
+#include "tests/support/expect_error.hpp"
+
+namespace touchstone {
+namespace {
+
+/// Ten frames a second, of four pixels that are their frame's number.
+class Counter : public FrameSource {
+  public:
+    const SourceInfo& info() const override { return info_; }
+    void enable_color(bool) override {}
+    bool next(SourceFrame& frame) override {
+        frame.index = next_++;
+        frame.timestamp_us = static_cast<std::uint64_t>(frame.index) * 100'000;
+        frame.depth_mm.assign(4, static_cast<std::uint16_t>(frame.index));
+        return true;
+    }
+
+  private:
+    SourceInfo info_;
+    int next_ = 0;
+};
+
+struct Faulty {
+    explicit Faulty(const SimulatorFaults& faults) : source(std::make_unique<Counter>(), faults) {}
+    SourceFrame next() {
+        SourceFrame frame;
+        EXPECT_TRUE(source.next(frame));
+        return frame;
+    }
+    FaultySource source;
+};
+
+TEST(FaultySource, StallsForItsTimeOrUntilRestarted) {
+    SimulatorFaults faults;
+    faults.stall_s = 0.3;
+    faults.fault_s = 0.4;
+    Faulty lasting(faults), healed(faults);
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(lasting.next().withheld, i >= 3 && i < 7) << i;
+    for (int i = 0; i < 5; ++i) healed.next();
+    healed.source.restarted();
+    for (int i = 5; i < 10; ++i) EXPECT_FALSE(healed.next().withheld) << i;
+}
+
+TEST(FaultySource, ARestartBeforeTheFaultDoesNotPreventIt) {
+    SimulatorFaults faults;
+    faults.stall_s = 0.2;
+    Faulty faulty(faults);
+    faulty.next();
+    faulty.source.restarted();
+    faulty.next();
+    EXPECT_TRUE(faulty.next().withheld);
+}
+
+TEST(FaultySource, FreezesThePictureWhileTimeGoesOn) {
+    SimulatorFaults faults;
+    faults.freeze_s = 0.2;
+    faults.fault_s = 0.3;
+    Faulty faulty(faults);
+    for (int i = 0; i < 8; ++i) {
+        const SourceFrame frame = faulty.next();
+        EXPECT_EQ(frame.index, i);
+        EXPECT_EQ(frame.depth_mm[0], i >= 2 && i < 5 ? 1 : i);
+    }
+}
+
+TEST(FaultySource, TearsOnePicture) {
+    SimulatorFaults faults;
+    faults.tear_s = 0.2;
+    Faulty faulty(faults);
+    for (int i = 0; i < 5; ++i) {
+        const auto upper = static_cast<std::uint16_t>(i), lower = static_cast<std::uint16_t>(i == 2 ? 1 : i);
+        EXPECT_EQ(faulty.next().depth_mm, (std::vector<std::uint16_t>{upper, upper, lower, lower}));
+    }
+}
+
+TEST(FaultySource, ClockJumpsByAnHour) {
+    SimulatorFaults faults;
+    faults.clock_jump_s = 0.1;
+    Faulty faulty(faults);
+    EXPECT_EQ(faulty.next().timestamp_us, 0U);
+    EXPECT_EQ(faulty.next().timestamp_us, 3'600'100'000U);
+}
+
+TEST(FaultySource, IsPulledOut) {
+    SimulatorFaults faults;
+    faults.unplug_s = 0.1;
+    faults.fault_s = 1.5;
+    Faulty faulty(faults);
+    faulty.next();
+    SourceFrame frame;
+    try {
+        faulty.source.next(frame);
+        FAIL();
+    } catch (const SourceUnplugged& pulled) {
+        EXPECT_EQ(pulled.back_after_s, 1.5);
+    }
+}
+
+TEST(FaultySource, KeysOfTheUri) {
+    const SimulatorConfig config =
+        parse_simulator_uri("flat?unplug_at=1&stall_at=2&freeze_at=3&tear=4&clock_jump=5&fault_s=0");
+    EXPECT_EQ(config.faults.unplug_s, 1);
+    EXPECT_EQ(config.faults.stall_s, 2);
+    EXPECT_EQ(config.faults.freeze_s, 3);
+    EXPECT_EQ(config.faults.tear_s, 4);
+    EXPECT_EQ(config.faults.clock_jump_s, 5);
+    EXPECT_EQ(config.faults.fault_s, 0);
+    EXPECT_FALSE(parse_simulator_uri("flat").faults.any());
+    expect_error([] { parse_simulator_uri("flat?stall_at=-1"); }, ExitStatus::usage,
+                 ::testing::HasSubstr("stall_at"));
+}
+
+}  // namespace
+}  // namespace touchstone
