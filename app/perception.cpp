@@ -74,12 +74,18 @@ std::optional<TableFrame> Perception::step() {
             throw Error(ExitStatus::unavailable, camera_->name() + ": " + lost->reason);
         log_warning("{}: {}", camera_->name(), lost->reason);
         drop_camera();
+        recovery_.lost(std::chrono::steady_clock::now());
         return without_frame("sensor_lost", "The depth camera is gone: " + lost->reason);
     }
     return without_good_frame("The depth camera gives no pictures");
 }
 
 std::optional<TableFrame> Perception::wait_for_camera() {
+    if (!recovery_.may_open(std::chrono::steady_clock::now())) {
+        for (const auto& sink : sinks_) sink->idle();
+        std::this_thread::sleep_for(std::chrono::milliseconds(read_timeout_ms));
+        return last_shown_;
+    }
     try {
         open_camera();
     } catch (const Error& error) {
