@@ -23,7 +23,13 @@ void CameraRecovery::opened(Time now, milliseconds silence) {
 
 void CameraRecovery::healthy(Time now) {
     attempts_ = 0;
+    losses_ = 0;
     due_ = now + silence_;
+}
+
+void CameraRecovery::lost(Time now) {
+    ++losses_;
+    open_at_ = now + pause_after(losses_) / 4;
 }
 
 Remedy CameraRecovery::due(Time now) {

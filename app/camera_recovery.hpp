@@ -18,6 +18,10 @@ class CameraRecovery {
     void opened(Time now, std::chrono::milliseconds silence = std::chrono::milliseconds(500));
     /// A good frame came.
     void healthy(Time now);
+    /// It was pulled out, or died. One that is lost again and again without a good frame is opened less
+    /// often.
+    void lost(Time now);
+    bool may_open(Time now) const { return now >= open_at_; }
     /// Asked while none comes; a remedy is named once, when it is due.
     Remedy due(Time now);
     /// Whether it is being helped.
@@ -27,6 +31,8 @@ class CameraRecovery {
     Time due_{};
     std::chrono::milliseconds silence_{500};
     int attempts_ = 0;
+    Time open_at_{};
+    int losses_ = 0;
 };
 
 }  // namespace touchstone

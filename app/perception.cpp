@@ -28,15 +28,15 @@ std::vector<std::unique_ptr<TouchSink>> make_sinks(const RunOptions& options) {
     return sinks;
 }
 
-/// Why no camera can be opened, for the operator.
-std::string what_is_missing() {
+/// What is wrong with the camera that is plugged in, for the operator; empty where none is.
+std::string problem_on_usb() {
     try {
         for (const UsbDepthCamera& camera : find_depth_cameras(list_usb_devices()))
             if (const std::string problem = problem_of(camera); !problem.empty()) return problem;
     } catch (const Error&) {
         // Without a view of USB there is nothing more to say.
     }
-    return "Waiting for a depth camera to be plugged in";
+    return {};
 }
 
 bool same_camera(const Intrinsics& a, const Intrinsics& b) {
@@ -77,22 +77,33 @@ std::optional<TableFrame> Perception::step() {
             throw Error(ExitStatus::unavailable, camera_->name() + ": " + lost->reason);
         log_warning("{}: {}", camera_->name(), lost->reason);
         drop_camera();
+        recovery_.lost(std::chrono::steady_clock::now());
         return without_frame("sensor_lost", "The depth camera is gone: " + lost->reason);
     }
     return without_good_frame("The depth camera gives no pictures");
 }
 
 std::optional<TableFrame> Perception::wait_for_camera() {
+    if (!recovery_.may_open(std::chrono::steady_clock::now())) {
+        for (const auto& sink : sinks_) sink->idle();
+        std::this_thread::sleep_for(std::chrono::milliseconds(read_timeout_ms));
+        return last_shown_;
+    }
     try {
         open_camera();
     } catch (const Error& error) {
         if (error.status() != ExitStatus::unavailable) throw;
-        const std::string missing = what_is_missing();
-        if (last_shown_.note != missing) log_warning("{}; waiting: {}", error.what(), missing);
+        const std::string problem = problem_on_usb();
+        const std::string note = problem.empty() ? "Waiting for a depth camera to be plugged in" : problem;
+        if (last_shown_.note != note) {
+            log_warning("{}", problem.empty()
+                                  ? std::string(error.what()) + "; waiting for one to be plugged in"
+                                  : problem);
+        }
         for (const auto& sink : sinks_) sink->idle();
         std::this_thread::sleep_for(retry_interval);
         const std::string state = pipeline_ ? "sensor_lost" : "starting";
-        return without_frame(state, missing);
+        return without_frame(state, note);
     }
     return without_frame(pipeline_ ? "sensor_lost" : "starting", "");
 }

@@ -50,6 +50,22 @@ TEST(CameraRecovery, TheFirstFrameMayTakeLonger) {
     EXPECT_EQ(remedies(recovery, 0, 3500).front().first, 3000);
 }
 
+TEST(CameraRecovery, OneThatIsLostAgainAndAgainIsOpenedLessOften) {
+    CameraRecovery recovery;
+    EXPECT_TRUE(recovery.may_open(at(0)));
+    recovery.lost(at(0));
+    EXPECT_FALSE(recovery.may_open(at(200)));
+    EXPECT_TRUE(recovery.may_open(at(250)));
+    recovery.lost(at(300));
+    EXPECT_FALSE(recovery.may_open(at(700)));
+    for (int i = 0; i < 20; ++i) recovery.lost(at(1000));
+    EXPECT_FALSE(recovery.may_open(at(3400)));
+    EXPECT_TRUE(recovery.may_open(at(3500)));
+    recovery.healthy(at(4000));
+    recovery.lost(at(4000));
+    EXPECT_TRUE(recovery.may_open(at(4250)));
+}
+
 TEST(CameraRecovery, ASlowCameraMayBeSilentLonger) {
     CameraRecovery recovery;
     recovery.opened(at(0), milliseconds(3000));

@@ -1,5 +1,7 @@
 #include "platform/openni2_drivers/common/source_driver.hpp"
 
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <exception>
 #include <utility>
@@ -15,25 +17,27 @@ SourceDriver::SourceDriver(OniDriverServices* services, SourceScheme scheme)
 OniStatus SourceDriver::tryDevice(const char* uri) {
     const std::string_view text = uri;
     if (!text.starts_with(scheme_.prefix) || text.size() >= ONI_MAX_STR) return ONI_STATUS_NO_DEVICE;
-    {
-        const std::lock_guard lock(mutex_);
-        const auto pulled = back_at_.find(uri);
-        if (pulled != back_at_.end() && std::chrono::steady_clock::now() < pulled->second)
-            return ONI_STATUS_NO_DEVICE;
-    }
     const OniDeviceInfo info = device_info(uri);
     deviceConnected(&info);
     return ONI_STATUS_OK;
 }
 
+// OpenNI2 does not try a driver again with a URI that it has withdrawn: the device must be announced anew.
 void SourceDriver::unplug(const OniDeviceInfo& info, double back_after_s) {
-    {
-        const std::lock_guard lock(mutex_);
-        back_at_[info.uri] = std::chrono::steady_clock::now() +
-                             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                 std::chrono::duration<double>(back_after_s));
-    }
     deviceDisconnected(&info);
+    const std::lock_guard lock(mutex_);
+    return_ = std::jthread([this, info, back_after_s](const std::stop_token& ending) {
+        std::mutex unshared;
+        std::unique_lock waiting(unshared);
+        std::condition_variable_any().wait_for(waiting, ending, std::chrono::duration<double>(back_after_s),
+                                               [] { return false; });
+        if (!ending.stop_requested()) deviceConnected(&info);
+    });
+}
+
+void SourceDriver::shutdown() {
+    const std::lock_guard lock(mutex_);
+    return_ = std::jthread();
 }
 
 oni::driver::DeviceBase* SourceDriver::deviceOpen(const char* uri, const char*) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <chrono>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "platform/openni2_drivers/common/driver_api.hpp"
 #include "platform/openni2_drivers/common/frame_source.hpp"
@@ -30,7 +29,7 @@ class SourceDriver : public oni::driver::DriverBase {
     OniStatus tryDevice(const char* uri) override;
     oni::driver::DeviceBase* deviceOpen(const char* uri, const char* mode) override;
     void deviceClose(oni::driver::DeviceBase* device) override;
-    void shutdown() override {}
+    void shutdown() override;
 
   private:
     OniDeviceInfo device_info(const char* uri) const;
@@ -38,7 +37,7 @@ class SourceDriver : public oni::driver::DriverBase {
 
     SourceScheme scheme_;
     std::mutex mutex_;
-    std::map<std::string, std::chrono::steady_clock::time_point> back_at_;  ///< URIs pulled out
+    std::jthread return_;  ///< announces what was pulled out last
 };
 
 }  // namespace touchstone

@@ -27,7 +27,7 @@ void FaultySource::restarted() {
 
 bool FaultySource::next(SourceFrame& frame) {
     if (!source_->next(made_)) return false;
-    time_s_ = static_cast<double>(made_.timestamp_us) * 1e-6;
+    time_s_ = static_cast<double>(made_.timestamp_us) / 1e6;
     if (faults_.unplug_s >= 0 && time_s_ >= faults_.unplug_s) throw SourceUnplugged{faults_.fault_s};
     frame = made_;
     frame.withheld = lasts(faults_.stall_s, time_s_);
