@@ -10,7 +10,7 @@
 #include "tests/benchmarks/bench_stage.hpp"
 #include "tests/benchmarks/brick_volume.hpp"
 #include "tests/benchmarks/dense_yardstick.hpp"
-#include "tests/benchmarks/stopwatch.hpp"
+#include "tests/benchmarks/stage_measurement.hpp"
 #include "yardstick_sources.hpp"
 
 namespace touchstone {
