@@ -26,38 +26,49 @@ __kernel void dense_integrate(__global int* voxels, const int n, const float vox
     vstore8(select(old, voxel, updated), 0, at);
 }
 
+INLINE float tsdf_or_free(const int voxel) {
+    return (voxel >> 16) > 0 ? (float)((voxel << 16) >> 16) * (1.0f / 32766.0f) : 1.0f;
+}
+
 /* TSDF at a point in voxels; 1 outside and where nothing is known. */
 INLINE float nearest_tsdf(__global const int* voxels, const int n, const float3 p) {
-    const int3 i = convert_int3_rtn(p);
-    if (any(i < 0) || any(i >= n)) return 1.0f;
-    const int voxel = voxels[((size_t)i.z * n + i.y) * n + i.x];
-    return (voxel >> 16) > 0 ? (float)((voxel << 16) >> 16) * (1.0f / 32766.0f) : 1.0f;
+    const int x = (int)floor(p.x), y = (int)floor(p.y), z = (int)floor(p.z);
+    if (((uint)x >= (uint)n) | ((uint)y >= (uint)n) | ((uint)z >= (uint)n)) return 1.0f;
+    return tsdf_or_free(voxels[(z * n + y) * n + x]);
 }
 
 INLINE float trilinear_tsdf(__global const int* voxels, const int n, const float3 p) {
     const float3 q = p - 0.5f, f = floor(q), a = q - f;
+    const int x = (int)f.x, y = (int)f.y, z = (int)f.z;
+    const uint last = (uint)(n - 1);
+    if (((uint)x >= last) | ((uint)y >= last) | ((uint)z >= last)) return 1.0f;
+    __global const int* v = voxels + (z * n + y) * n + x;
     float c[2];
-    for (int z = 0; z < 2; ++z) {
-        const float3 base = f + (float3)(0.5f, 0.5f, (float)z + 0.5f);
-        const float top = mix(nearest_tsdf(voxels, n, base), nearest_tsdf(voxels, n, base + (float3)(1.0f, 0.0f, 0.0f)), a.x);
-        const float bottom = mix(nearest_tsdf(voxels, n, base + (float3)(0.0f, 1.0f, 0.0f)),
-                                 nearest_tsdf(voxels, n, base + (float3)(1.0f, 1.0f, 0.0f)), a.x);
-        c[z] = mix(top, bottom, a.y);
-    }
+    for (int i = 0; i < 2; ++i, v += n * n)
+        c[i] = mix(mix(tsdf_or_free(v[0]), tsdf_or_free(v[1]), a.x), mix(tsdf_or_free(v[n]), tsdf_or_free(v[n + 1]), a.x), a.y);
     return mix(c[0], c[1], a.z);
 }
 
-/* Listing 3, one pixel a work-item, from start_m in steps of max(voxel, 0.8 tsdf mu); the crossing between two trilinear values, the
- * normal from their gradient. Depth 0 where nothing is hit. Three planes of normals, in the global frame. */
+/* Where a ray leaves the cube of n voxels, in units of the ray. */
+INLINE float exit_of(const float3 eye, const float3 ray, const float n) {
+    const float3 ahead = select((float3)(0.0f), (float3)(n), ray > 0.0f);
+    const float3 t = (ahead - eye) / select(ray, (float3)(1e-9f), fabs(ray) < 1e-9f);
+    return fmin(t.x, fmin(t.y, t.z));
+}
+
+/* Listing 3, one pixel a work-item, from start_m to the end of the cube in steps of max(voxel, 0.8 tsdf mu), which is less work
+ * than the paper's steps of one voxel; the crossing between two trilinear values, the normal from their gradient. Depth 0 where
+ * nothing is hit. Three planes of normals, in the global frame. */
 __kernel void dense_raycast(__global const int* voxels, const int n, const float voxel_m, __global float* depth_m,
                             __global float* normals_g, const MapShape shape, const Intrinsics k, const Pose T_g_c,
-                            const float mu_m, const float start_m, const float end_m) {
+                            const float mu_m, const float start_m) {
     const int x = (int)get_global_id(0), y = (int)get_global_id(1), at = y * shape.pitch_px + x;
     const float3 ray_c = (float3)(((float)x - k.cx_px) / k.fx_px, ((float)y - k.cy_px) / k.fy_px, 1.0f);
     const float3 ray = (float3)(dot((float3)(T_g_c.row_x.x, T_g_c.row_x.y, T_g_c.row_x.z), ray_c),
                                 dot((float3)(T_g_c.row_y.x, T_g_c.row_y.y, T_g_c.row_y.z), ray_c),
                                 dot((float3)(T_g_c.row_z.x, T_g_c.row_z.y, T_g_c.row_z.z), ray_c)) / voxel_m;
     const float3 eye = (float3)(T_g_c.row_x.w, T_g_c.row_y.w, T_g_c.row_z.w) / voxel_m;
+    const float end_m = exit_of(eye, ray, (float)n);
     float hit_m = 0.0f, before_m = start_m, last = 1.0f;
     for (float t = start_m; t < end_m;) {
         const float value = nearest_tsdf(voxels, n, eye + t * ray);

@@ -31,7 +31,6 @@ DenseVolume::DenseVolume(const Device& device, const Intrinsics& intrinsics, int
       size_vox_(size_vox),
       voxel_m_(side_m / static_cast<float>(size_vox)),
       truncation_m_(truncation_m),
-      end_m_(start_m + 2.0f * side_m),
       program_(load_yardstick(device)),
       integrate_(program_.kernel("dense_integrate")),
       raycast_(program_.kernel("dense_raycast")),
@@ -54,8 +53,7 @@ void DenseVolume::raycast(const RigidTransform& T_g_c, SurfacePrediction& predic
     const auto pitch = static_cast<std::size_t>(shape_.pitch_px),
                rows = static_cast<std::size_t>(shape_.rows_px);
     raycast_.launch({{pitch, rows, 1}, {TILE_PX, 1, 1}}, voxels_, size_vox_, voxel_m_, prediction.depth_m,
-                    prediction.normals_c, shape_, intrinsics_, to_pose(T_g_c), truncation_m_, start_m,
-                    end_m_);
+                    prediction.normals_c, shape_, intrinsics_, to_pose(T_g_c), truncation_m_, start_m);
 }
 
 }  // namespace touchstone

@@ -16,7 +16,8 @@ class DenseVolume {
 
     /// Queues Listing 2 over all voxels.
     void integrate(const Buffer<float>& depth_m, const RigidTransform& T_g_c);
-    /// Queues Listing 3 for all pixels, from 0.4 m on. Normals are of the global frame.
+    /// Queues Listing 3 for all pixels, from 0.4 m to the far side of the cube. Normals are of the global
+    /// frame.
     void raycast(const RigidTransform& T_g_c, SurfacePrediction& prediction);
 
     std::size_t memory_bytes() const { return 4 * voxel_count(); }
@@ -28,7 +29,7 @@ class DenseVolume {
     Intrinsics intrinsics_;
     MapShape shape_;
     int size_vox_;
-    float voxel_m_, truncation_m_, end_m_;
+    float voxel_m_, truncation_m_;
     Program program_;
     Kernel integrate_, raycast_;
     Buffer<int> voxels_;

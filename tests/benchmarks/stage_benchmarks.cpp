@@ -8,15 +8,15 @@
 #include "pipeline/kernel_program.hpp"
 #include "pipeline/touch_detection.hpp"
 #include "tests/benchmarks/bench_stage.hpp"
+#include "tests/benchmarks/brick_volume.hpp"
 #include "tests/benchmarks/dense_yardstick.hpp"
-#include "tests/benchmarks/stopwatch.hpp"
+#include "tests/benchmarks/stage_measurement.hpp"
 #include "yardstick_sources.hpp"
 
 namespace touchstone {
 namespace {
 
 constexpr int size_vox = 512;
-constexpr float side_m = 1.5f;
 constexpr double bytes_per_float = 4.0;
 
 /// GB/s of a = b + s c over three buffers of 64 MB on the device: the best of ten.
@@ -46,7 +46,9 @@ double triad_gb_s(const Device& device) {
 /// What the benchmarks share; made once, in main().
 struct Run {
     explicit Run(const Device& run_device)
-        : device(&run_device), stage(run_device, size_vox), triad(triad_gb_s(run_device)) {}
+        : device(&run_device),
+          stage(run_device, BenchScene{.size_vox = size_vox}),
+          triad(triad_gb_s(run_device)) {}
 
     double pixels() const { return static_cast<double>(map_pixels(stage.shape())); }
     void add(const std::string& name, double bytes, const std::function<void()>& work) {
@@ -83,75 +85,101 @@ void add_picture_stages(Run& run) {
     });
 }
 
-void add_interaction_stages(Run& run) {
+/// Pixels of the boxes that touch detection looks at.
+double region_pixels(const std::vector<PixelRegion>& regions) {
+    double pixels = 0.0;
+    for (const PixelRegion& region : regions)
+        pixels += static_cast<double>(region.x1 - region.x0) * static_cast<double>(region.y1 - region.y0);
+    return pixels;
+}
+
+std::vector<PixelRegion> regions_of(const Foreground& foreground) {
+    std::vector<PixelRegion> regions;
+    for (const ForegroundComponent& part : foreground.components)
+        regions.push_back(
+            {part.box.min_x_px, part.box.min_y_px, part.box.max_x_px + 1, part.box.max_y_px + 1});
+    return regions;
+}
+
+/// Members: what data association rejects.
+void add_connected_components(Run& run, const std::shared_ptr<Buffer<std::uint8_t>>& codes) {
+    auto members = std::make_shared<Buffer<std::uint8_t>>(*run.device, map_pixels(run.stage.shape()));
+    std::vector<std::uint8_t> seeds;
+    for (const std::uint8_t code : codes->read())
+        seeds.push_back(code == ASSOCIATION_IN_FRONT ? MEMBER_SEED : MEMBER_NONE);
+    members->write(seeds);
+    auto components =
+        std::make_shared<ConnectedComponents>(*run.device, ConnectedComponentsConfig{}, run.stage.shape());
+    // Member and depth in, label out.
+    run.add("connected components", run.pixels() * (1 + 4 + 4),
+            [=, &run] { components->find(*members, run.stage.live().filtered_m); });
+}
+
+void add_association_stages(Run& run) {
     const BenchStage& stage = run.stage;
-    const Intrinsics& k = stage.intrinsics();
-    auto association = std::make_shared<DataAssociation>(*run.device, DataAssociationConfig{}, k);
+    auto association =
+        std::make_shared<DataAssociation>(*run.device, DataAssociationConfig{}, stage.intrinsics());
     auto codes = std::make_shared<Buffer<std::uint8_t>>(*run.device, map_pixels(stage.shape()));
     auto no_fallback = std::make_shared<Buffer<float>>(*run.device, map_pixels(stage.shape()));
     no_fallback->fill(0.0f);
-    // Depth and normals of both, one code.
-    run.add("data association", run.pixels() * (16 + 16 + 1), [=, &run] {
+    const auto associate = [=, &run] {
         association->associate(run.stage.live(), run.stage.background().prediction(), *no_fallback,
                                RigidTransform::Identity(), *codes);
         run.device->finish();
-    });
+    };
+    // Depth and normals of both, one code.
+    run.add("data association", run.pixels() * (16 + 16 + 1), associate);
+    associate();
+    add_connected_components(run, codes);
+}
+
+void add_interaction_stages(Run& run) {
+    const BenchStage& stage = run.stage;
+    const Intrinsics& k = stage.intrinsics();
     auto segmentation =
         std::make_shared<ForegroundSegmentation>(*run.device, ForegroundSegmentationConfig{}, k);
     segmentation->segment(stage.live(), stage.background().prediction());
     const Foreground* foreground = &segmentation->segment(stage.live(), stage.background().prediction());
-    run.add("foreground segmentation", 0.0, [=, &run] {
+    const std::vector<PixelRegion> regions = regions_of(*foreground);
+    // Depth and normals of both; code, two masks and label out.
+    run.add("foreground segmentation", run.pixels() * (16 + 16 + 1 + 1 + 1 + 4), [=, &run] {
         segmentation->segment(run.stage.live(), run.stage.background().prediction());
         run.device->finish();
     });
     auto touch = std::make_shared<TouchDetection>(*run.device, TouchDetectionConfig{}, k);
-    run.add("touch detection", 0.0, [=, &run, time_us = std::uint64_t{0}]() mutable {
-        std::vector<PixelRegion> regions;
-        for (const ForegroundComponent& part : foreground->components)
-            regions.push_back(
-                {part.box.min_x_px, part.box.min_y_px, part.box.max_x_px + 1, part.box.max_y_px + 1});
-        touch->detect({run.stage.live(), run.stage.background().prediction(), foreground->mask, regions,
-                       run.stage.area(), time_us += 33333});
-        (void)segmentation;
-    });
-    auto drift = std::make_shared<ColumnDrift>(*run.device, ColumnDriftConfig{}, k);
-    run.add("column drift", run.pixels() * (4 + 4 + 1), [=, &run] {
+    // In the boxes around hands: mask, both depths, the background's normals.
+    run.add("touch detection", region_pixels(regions) * (1 + 4 + 16),
+            [=, &run, time_us = std::uint64_t{0}]() mutable {
+                touch->detect({run.stage.live(), run.stage.background().prediction(), foreground->mask,
+                               regions, run.stage.area(), time_us += 33333});
+                (void)segmentation;
+            });
+    const ColumnDriftConfig drift_config;
+    auto drift = std::make_shared<ColumnDrift>(*run.device, drift_config, k);
+    // Of every so many-th row: both depths and the mask.
+    run.add("column drift", run.pixels() / drift_config.row_step * (4 + 4 + 1), [=, &run] {
         drift->update(run.stage.live(), run.stage.background().prediction(), *foreground);
         (void)segmentation;
     });
 }
 
 void add_volume_stages(Run& run) {
-    const BenchStage& stage = run.stage;
-    const Intrinsics& k = stage.intrinsics();
-    VolumeConfig config;
-    config.size_vox = size_vox;
-    config.side_m = side_m;
-    auto volume = std::make_shared<TsdfVolume>(*run.device, config);
-    auto weighting = std::make_shared<SampleWeighting>(*run.device, SampleWeightConfig{}, k);
-    auto integration = std::make_shared<VolumetricIntegration>(*run.device, k);
-    auto prediction = std::make_shared<SurfacePrediction>(*run.device, stage.shape());
-    auto raycasting = std::make_shared<Raycasting>(*run.device, k);
-    const RigidTransform T_g_c = stage.background().T_g_c();
-    const auto integrate = [=, &run] {
-        integration->integrate(*volume, run.stage.live().depth_m, weighting->weigh(run.stage.live()), T_g_c,
-                               all_layers(*volume));
-        run.device->finish();
-    };
-    integrate();
+    auto bricks = std::make_shared<BrickVolume>(run.stage, size_vox);
     // Each voxel of the bricks in use is read and written.
-    run.add("integration 512", 2.0 * 4.0 * BRICK_VOXELS * volume->bricks_in_use(), integrate);
-    run.add("raycast 512, changed view", run.pixels() * 16, [=, &run] {
-        raycasting->raycast(*volume, T_g_c, *prediction);
-        run.device->finish();
-    });
-    run.medians["memory 512, MB"] = static_cast<double>(volume->memory_bytes()) / 1e6;
+    run.add("integration 512", 2.0 * 4.0 * BRICK_VOXELS * bricks->volume().bricks_in_use(),
+            [=] { bricks->integrate(); });
+    // The voxels of the changed bricks are read.
+    run.add("raycast 512, refresh", 4.0 * BRICK_VOXELS * static_cast<double>(bricks->slice_bricks()),
+            [=] { bricks->refresh(); });
+    // Depth and normals out.
+    run.add("raycast 512, changed view", run.pixels() * 16, [=] { bricks->raycast(); });
+    run.medians["memory 512, MB"] = static_cast<double>(bricks->volume().memory_bytes()) / 1e6;
 }
 
 void add_dense(Run& run, int dense_vox) {
-    const float truncation_m = std::max(0.012f, 6.0f * side_m / static_cast<float>(dense_vox));
-    auto dense =
-        std::make_shared<DenseVolume>(*run.device, run.stage.intrinsics(), dense_vox, side_m, truncation_m);
+    const float truncation_m = std::max(0.012f, 6.0f * bench_side_m / static_cast<float>(dense_vox));
+    auto dense = std::make_shared<DenseVolume>(*run.device, run.stage.intrinsics(), dense_vox, bench_side_m,
+                                               truncation_m);
     const RigidTransform T_g_c = run.stage.background().T_g_c();
     auto prediction = std::make_shared<SurfacePrediction>(*run.device, run.stage.shape());
     const std::string size = std::to_string(dense_vox);
@@ -197,9 +225,12 @@ int main(int argc, char** argv) {
     Run run(device);
     std::printf("%s, triad %.1f GB/s\n", device.name().c_str(), run.triad);
     add_picture_stages(run);
+    add_association_stages(run);
     add_interaction_stages(run);
     add_volume_stages(run);
-    run.add("whole frame", 0.0, [&run] { run.stage.next_frame(); });
+    // Millimetres in; what conversion, segmentation and drift make, once.
+    run.add("whole frame", run.pixels() * (2 + 4 + 4 + 12 + 1 + 1 + 1 + 4),
+            [&run] { run.stage.next_frame(); });
     add_dense(run, 256);
     add_dense(run, size_vox);
     benchmark::RunSpecifiedBenchmarks();
