@@ -2,17 +2,16 @@
 // method beside it: measure_scale [--plot FILE.png]. Each scene is measured in a process of its own.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <ctime>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "platform/opencl/device_error.hpp"
 #include "platform/system/log.hpp"
-#include "platform/system/percentile.hpp"
 #include "tests/benchmarks/bench_stage.hpp"
 #include "tests/benchmarks/brick_volume.hpp"
 #include "tests/benchmarks/dense_yardstick.hpp"
 #include "tests/benchmarks/scale_chart.hpp"
-#include "tests/benchmarks/stopwatch.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace touchstone {
@@ -20,7 +19,7 @@ namespace {
 
 constexpr int live_frames = 180, volume_runs = 9, dense_runs = 3;
 
-/// Medians in milliseconds, memory in MB. What was not measured is 0.
+/// Milliseconds of processor time, memory in MB. What was not measured is 0.
 struct ScaleFigures {
     double frame_ms = 0.0, integration_ms = 0.0, raycast_ms = 0.0, loop_mb = 0.0, bricks_mb = 0.0;
     double dense_integration_ms = 0.0, dense_raycast_ms = 0.0, dense_mb = 0.0;
@@ -28,12 +27,14 @@ struct ScaleFigures {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ScaleFigures, frame_ms, integration_ms, raycast_ms, loop_mb, bricks_mb,
                                    dense_integration_ms, dense_raycast_ms, dense_mb)
 
+/// Processor time of a run, all cores together, mean: a busy machine changes it less than the time that
+/// passes.
 template <class Work>
-double median_ms(int runs, const Work& work) {
-    std::vector<double> times_ms;
+double processor_ms(int runs, const Work& work) {
     work();
-    for (int i = 0; i < runs; ++i) times_ms.push_back(time_ms(work));
-    return percentile(times_ms, 50.0);
+    const std::clock_t start = std::clock();
+    for (int i = 0; i < runs; ++i) work();
+    return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / runs;
 }
 
 void measure_dense(const BenchStage& stage, const BenchScene& scene, float truncation_m,
@@ -43,11 +44,11 @@ void measure_dense(const BenchStage& stage, const BenchScene& scene, float trunc
     DenseVolume dense(device, stage.intrinsics(), scene.size_vox, bench_side_m, truncation_m);
     SurfacePrediction prediction(device, stage.shape());
     figures.dense_mb = static_cast<double>(dense.memory_bytes()) / 1e6;
-    figures.dense_integration_ms = median_ms(dense_runs, [&] {
+    figures.dense_integration_ms = processor_ms(dense_runs, [&] {
         dense.integrate(stage.live().depth_m, T_g_c);
         device.finish();
     });
-    figures.dense_raycast_ms = median_ms(dense_runs, [&] {
+    figures.dense_raycast_ms = processor_ms(dense_runs, [&] {
         dense.raycast(T_g_c, prediction);
         device.finish();
     });
@@ -58,10 +59,10 @@ ScaleFigures measure(const BenchScene& scene) {
     BenchStage stage(device, scene);
     ScaleFigures figures;
     figures.loop_mb = stage.loop_memory_mb();
-    figures.frame_ms = median_ms(live_frames, [&] { stage.next_frame(); });
+    figures.frame_ms = processor_ms(live_frames, [&] { stage.next_frame(); });
     BrickVolume bricks(stage, scene.size_vox);
-    figures.integration_ms = median_ms(volume_runs, [&] { bricks.integrate(); });
-    figures.raycast_ms = median_ms(volume_runs, [&] { bricks.raycast(); });
+    figures.integration_ms = processor_ms(volume_runs, [&] { bricks.integrate(); });
+    figures.raycast_ms = processor_ms(volume_runs, [&] { bricks.raycast(); });
     figures.bricks_mb = static_cast<double>(bricks.volume().memory_bytes()) / 1e6;
     try {
         measure_dense(stage, scene, bricks.volume().params().max_truncation_m, figures);
@@ -114,9 +115,9 @@ std::vector<Curve> memory_curves(const Series& series) {
 
 void add_panels(ScaleChart& chart, const std::string& axis, const Series& series,
                 const std::vector<std::string>& labels, bool logarithmic) {
-    ScalePanel panel{axis, "ms", {}, logarithmic, time_curves(series)};
+    ScalePanel panel{axis, "processor time, ms", {}, logarithmic, time_curves(series)};
     for (std::size_t i = 0; i < series.size(); ++i) panel.ticks.emplace_back(series[i].first, labels[i]);
-    if (!logarithmic) panel.curves.resize(3);
+    if (!logarithmic) panel.curves.resize(1);
     chart.panels.push_back(panel);
     panel.y_axis = "MB";
     panel.curves = memory_curves(series);
@@ -129,7 +130,8 @@ ScaleChart measure_all(const std::string& self) {
     fmt::print("{:>28} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9} {:>8}\n", "", "frame ms", "integr.",
                "raycast", "loop MB", "bricks", "d.integr.", "d.raycast", "dense MB");
     ScaleChart chart{"What a frame costs, on two CPU cores",
-                     "simulated table, a cube of 1.5 m, medians; dashed: every voxel swept, every ray from "
+                     "simulated table, a cube of 1.5 m; processor time of both cores together; dashed: every "
+                     "voxel swept, every ray from "
                      "the front (1024^3 does not fit the device)",
                      {}};
     Series series;
