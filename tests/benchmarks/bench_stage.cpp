@@ -1,6 +1,7 @@
 #include "tests/benchmarks/bench_stage.hpp"
 
 #include <fstream>
+#include <malloc.h>
 #include <stdexcept>
 #include <unistd.h>
 
@@ -48,6 +49,7 @@ SourceFrame resized(const SourceFrame& frame, const Intrinsics& from, const Intr
 }
 
 double resident_mb() {
+    malloc_trim(0);
     double all_pages = 0.0, resident_pages = 0.0;
     std::ifstream("/proc/self/statm") >> all_pages >> resident_pages;
     return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
@@ -67,9 +69,9 @@ BenchStage::BenchStage(const Device& device, const BenchScene& scene) : device_(
     const double before_mb = resident_mb();
     pipeline_.emplace(device, config_of(scene.size_vox), intrinsics_);
     for (int i = 0; i < scan_frames; ++i) process(frames_[static_cast<std::size_t>(i)]);
-    frames_.erase(frames_.begin(), frames_.begin() + scan_frames);
     if (!pipeline_->area()) throw std::runtime_error("the table of the benchmarks was not scanned");
     loop_memory_mb_ = resident_mb() - before_mb;
+    frames_.erase(frames_.begin(), frames_.begin() + scan_frames);
     live_.emplace(device, make_map_shape(intrinsics_));
     DepthMapConversion(device, {}, intrinsics_).convert(view(), *live_);
     device.finish();

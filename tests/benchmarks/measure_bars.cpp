@@ -134,10 +134,10 @@ void measure_start(const Options& options) {
     std::vector<double> starts_s, memory_mb;
     for (int i = 0; i < std::max(3, options.rounds / 2); ++i) {
         const ProgramRun run = run_table(options.program, folder.path(), 150);
-        if (run.first_live_s > 0.0) starts_s.push_back(run.first_live_s);
+        if (run.used_saved_scan && run.first_live_s > 0.0) starts_s.push_back(run.first_live_s);
         memory_mb.push_back(run.peak_rss_mb);
     }
-    if (starts_s.empty()) throw std::runtime_error("no run came to a live frame");
+    if (starts_s.empty()) throw std::runtime_error("no run went on with the saved scan");
     print_bar(fmt::format("start to the first live frame, median of {}", starts_s.size()),
               percentile(starts_s, 50.0), "s", 1.5, false);
     print_bar("peak resident memory of run at 512^3", percentile(memory_mb, 100.0), "MB", 400.0, false);

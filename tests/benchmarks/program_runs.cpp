@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
@@ -24,11 +25,11 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-bool is_live(const std::filesystem::path& events) {
-    std::ifstream file(events);
+bool says(const std::filesystem::path& path, std::string_view words) {
+    std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();
-    return text.str().find(R"("state":"live")") != std::string::npos;
+    return text.str().find(words) != std::string::npos;
 }
 
 /// Starts the program with its standard error in `log`.
@@ -61,12 +62,14 @@ ProgramRun run_table(const std::string& program, const std::filesystem::path& fo
     int status = 0;
     rusage usage{};
     while (wait4(child, &status, WNOHANG, &usage) == 0) {
-        if (run.first_live_s <= 0.0 && is_live(events)) run.first_live_s = seconds_since(start_time);
+        if (run.first_live_s <= 0.0 && says(events, R"("state":"live")"))
+            run.first_live_s = seconds_since(start_time);
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         throw std::runtime_error(fmt::format("run failed, see {}", (folder / "log").string()));
     run.peak_rss_mb = static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
+    run.used_saved_scan = says(folder / "log", "the saved scan fits");
     return run;
 }
 

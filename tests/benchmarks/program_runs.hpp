@@ -10,6 +10,7 @@ namespace touchstone {
 struct ProgramRun {
     double first_live_s = 0.0;  ///< from its start to the first live frame in its event log; 0 = none
     double peak_rss_mb = 0.0;
+    bool used_saved_scan = false;
 };
 
 /// `run` of the program, headless, on the simulated flat table with two hands, at live pace, in a folder
