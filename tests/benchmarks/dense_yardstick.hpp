@@ -20,6 +20,7 @@ class DenseVolume {
     /// frame.
     void raycast(const RigidTransform& T_g_c, SurfacePrediction& prediction);
 
+    int size_vox() const { return size_vox_; }
     std::size_t memory_bytes() const { return 4 * voxel_count(); }
     const Buffer<int>& voxels() const { return voxels_; }
 

@@ -48,7 +48,7 @@ std::string axes(const ScalePanel& panel) {
                        panel.y_axis, ticks, ranges(panel));
 }
 
-/// Values stand above every other curve and below the rest.
+/// Values stand above or below their points, to the left or to the right, by curve.
 std::string plot_command(const ScalePanel& panel, std::size_t number) {
     std::string command;
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
@@ -59,9 +59,9 @@ std::string plot_command(const ScalePanel& panel, std::size_t number) {
             "{0}{1} using 1:2 with linespoints pointtype 7 linewidth 2 linecolor {2} dashtype {3} title "
             "\"{4}\", "
             "{1} using 1:2:(sprintf($2 < 100 ? \"%.3g\" : \"%.0f\", $2)) with labels textcolor linetype {2} "
-            "offset 0,{5} font \",9\" notitle",
+            "offset {5},{6} font \",9\" notitle",
             command.empty() ? "plot " : ", ", block, i + 1, curve.dashed ? 2 : 1, curve.name,
-            i % 2 == 0 ? 0.8 : -0.8);
+            i < 2 ? -2.2 : 2.2, i % 2 == 0 ? 0.8 : -0.8);
     }
     return command + '\n';
 }
@@ -76,8 +76,8 @@ std::string gnuplot_script(const ScaleChart& chart, const std::filesystem::path&
         "set terminal pngcairo noenhanced size {},{} font \"DejaVu Sans,11\"\nset output \"{}\"\nset grid\n"
         "set linetype 1 linecolor rgb \"#2a6fbb\"\nset linetype 2 linecolor rgb \"#3a9d5d\"\n"
         "set linetype 3 linecolor rgb \"#8a5fbf\"\nset linetype 4 linecolor rgb \"#e08a2e\"\n"
-        "set linetype 5 linecolor rgb \"#c0392b\"\nset tmargin 5\nset key outside top center horizontal\n"
-        "set multiplot layout {},2 title \"{}\\n{}\"\n",
+        "set linetype 5 linecolor rgb \"#c0392b\"\nset key above maxrows 1 font \",9\"\n"
+        "set multiplot layout {},2 title \"{}\\n{}\\n\"\n",
         wide_px, title_px + row_px * static_cast<int>(rows), png.string(), rows, chart.title, chart.note);
     for (std::size_t i = 0; i < chart.panels.size(); ++i)
         script += axes(chart.panels[i]) + plot_command(chart.panels[i], i);
