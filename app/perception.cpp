@@ -1,7 +1,5 @@
 #include "app/perception.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <thread>
 
@@ -73,9 +71,8 @@ std::optional<TableFrame> Perception::step() {
         return fault.empty() ? process(*frame) : without_good_frame(fault);
     }
     if (const auto* lost = std::get_if<CameraLost>(&result)) {
-        if (!camera_->can_return())
-            throw Error(ExitStatus::unavailable, camera_->name() + ": " + lost->reason);
-        log_warning("{}: {}", camera_->name(), lost->reason);
+        if (!camera_->can_return()) throw Error(ExitStatus::unavailable, lost->reason);
+        log_warning("{}", lost->reason);
         drop_camera();
         recovery_.lost(std::chrono::steady_clock::now());
         return without_frame("sensor_lost", "The depth camera is gone: " + lost->reason);
@@ -116,33 +113,13 @@ TableFrame Perception::without_frame(const std::string& state, const std::string
     return last_shown_;
 }
 
-void Perception::open_camera() {
-    camera_ = DepthCamera::open(options_.config.sensor_uri, options_.pace);
-    const std::chrono::milliseconds three_frames(std::lround(3000.0 / camera_->rate_hz()));
-    recovery_.opened(std::chrono::steady_clock::now(),
-                     std::max(three_frames, std::chrono::milliseconds(500)));
-    judge_ = FrameJudge();
-    light_state_.clear();
-    log_info("reading {}", camera_->name());
-}
-
-void Perception::drop_camera() {
-    camera_.reset();
-    for (const auto& sink : sinks_) sink->release_all();
-}
-
 TableFrame Perception::process(const DepthFrame& frame) {
     const auto start = std::chrono::steady_clock::now();
     if (!pipeline_ || !same_camera(intrinsics_, frame.intrinsics)) {
         start_pipeline(frame.intrinsics);
     }
-    InteractionFrame result = pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
-    const InteractionFrame seen = result;
-    if (calibrates(result.state)) {
-        take_crosses(result);
-        result.touches.clear();
-        result.hovers.clear();
-    }
+    const InteractionFrame result =
+        pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
     recovery_.healthy(std::chrono::steady_clock::now());
     publish(result, frame);
     save_scan_when_new(result.state);
@@ -161,8 +138,9 @@ TableFrame Perception::process(const DepthFrame& frame) {
         shown.has_area = true;
         shown.area_px = area_corners_px(*area, intrinsics_);
     }
-    shown.touches = seen.touches;
-    shown.hovers = seen.hovers;
+    shown.touches = result.touches;
+    shown.hovers = result.hovers;
+    if (calibrates(result.state)) take_crosses(result);
     if (calibrates(result.state)) shown.cross = crosses_->guide(*pipeline_->area(), intrinsics_);
     measure_rate(start);
     shown.frame_rate_hz = rate_hz_;
@@ -227,7 +205,7 @@ void Perception::take_crosses(const InteractionFrame& result) {
     if (!fit) return;
     if (fit->verdict != BiasVerdict::good) {
         log_warning("the crosses told nothing: {}; asking again", describe(*fit));
-        crosses_.emplace(CrossStepConfig{});
+        crosses_.emplace(CrossStepConfig{}, "Once more: " + describe(*fit) + ".");
         return;
     }
     log_info("the crosses told the bias of touches: {}", describe(*fit));
@@ -242,7 +220,11 @@ void Perception::take_crosses(const InteractionFrame& result) {
 }
 
 void Perception::publish(const InteractionFrame& result, const DepthFrame& frame) {
-    const TouchReport report = make_report(result, frame.index, frame.timestamp_us);
+    TouchReport report = make_report(result, frame.index, frame.timestamp_us);
+    if (calibrates(result.state)) {
+        report.touches.clear();
+        report.hovers.clear();
+    }
     for (const auto& sink : sinks_) sink->publish(report);
     if (!maps_) return;
     maps_->write_map(frame.index, "foreground", frame.width_px, frame.height_px, pipeline_->foreground_map());

@@ -41,6 +41,8 @@ class Perception {
     TableFrame without_good_frame(const std::string& fault);
     void help_camera(const std::string& fault);
     void drop_camera();
+    /// The camera gives nothing: no touch outlives that.
+    void release_touches();
     void show_light(const std::string& state);
     TableFrame process(const DepthFrame& frame);
     TableFrame without_frame(const std::string& state, const std::string& note);

@@ -1,4 +1,7 @@
-// How the perception loop brings a camera back that is silent, frozen or blind.
+// How the perception loop opens a camera, and brings one back that is silent, frozen or blind.
+#include <algorithm>
+#include <cmath>
+
 #include "app/perception.hpp"
 #include "platform/system/log.hpp"
 #include "platform/usb/depth_cameras.hpp"
@@ -17,6 +20,17 @@ bool is_watched(const DepthCamera& camera, const std::string& uri) {
            uri.find("clock_jump=") != std::string::npos;
 }
 
+void keep_cameras_awake() {
+    try {
+        for (const UsbDepthCamera& camera : find_depth_cameras(list_usb_devices()))
+            if (camera.device.autosuspend && !keep_awake(camera.device))
+                log_info("{} may be put to sleep by the kernel: touchstone check tells what to do",
+                         camera.model);
+    } catch (const Error&) {
+        // Without a view of USB the camera works as well.
+    }
+}
+
 void reset_on_usb() {
     try {
         for (const UsbDepthCamera& camera : find_depth_cameras(list_usb_devices())) {
@@ -30,6 +44,27 @@ void reset_on_usb() {
 }
 
 }  // namespace
+
+void Perception::open_camera() {
+    camera_ = DepthCamera::open(options_.config.sensor_uri, options_.pace);
+    const std::chrono::milliseconds three_frames(std::lround(3000.0 / camera_->rate_hz()));
+    recovery_.opened(std::chrono::steady_clock::now(),
+                     std::max(three_frames, std::chrono::milliseconds(500)));
+    judge_ = FrameJudge();
+    light_state_.clear();
+    if (camera_->is_device()) keep_cameras_awake();
+    log_info("reading {}", camera_->name());
+}
+
+void Perception::drop_camera() {
+    camera_.reset();
+    release_touches();
+}
+
+void Perception::release_touches() {
+    if (pipeline_) pipeline_->release_touches();
+    for (const auto& sink : sinks_) sink->release_all();
+}
 
 std::string Perception::fault_of(DepthFrame& frame) {
     if (camera_->pace() != Pace::live || !is_watched(*camera_, options_.config.sensor_uri)) return {};
@@ -60,7 +95,7 @@ void Perception::help_camera(const std::string& fault) {
     if (remedy == Remedy::none) return;
     if (!ailed) {
         log_warning("{}: {}; restarting its stream", camera_->name(), fault);
-        for (const auto& sink : sinks_) sink->release_all();
+        release_touches();
         show_light("sensor_lost");
     }
     try {
@@ -72,8 +107,9 @@ void Perception::help_camera(const std::string& fault) {
         log_warning("{}", error.what());
     }
     log_warning("{}: opening it anew", camera_->name());
+    const bool on_usb = camera_->is_device();
     drop_camera();
-    if (remedy == Remedy::reset_and_reopen && !options_.config.sensor_uri.starts_with("sim:")) reset_on_usb();
+    if (remedy == Remedy::reset_and_reopen && on_usb) reset_on_usb();
 }
 
 void Perception::show_light(const std::string& state) {

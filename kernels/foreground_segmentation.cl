@@ -89,6 +89,13 @@ __kernel void keep_supported_seeds(__global const uchar* members, __global const
     vstore8(with_expected8(select(member, (uchar8)(MEMBER_GROWTH), weak), before, (uchar)least_held), 0, supported + at);
 }
 
+/* 255 where either mask is not 0. Eight pixels a work-item; global size (pitch / 8, rows). */
+__kernel void join_masks(__global const uchar* a, __global const uchar* b, __global uchar* joined, const MapShape shape) {
+    const int at = (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8;
+    const uchar8 either = vload8(0, a + at) | vload8(0, b + at);
+    vstore8(convert_uchar8(either != (uchar8)(0)), 0, joined + at);
+}
+
 /* 255 within radius_px (at most 8) columns of the mask. */
 __kernel void widen_rows(__global const uchar* mask, __global uchar* wide, const MapShape shape, const int radius_px) {
     const int x = (int)get_global_id(0) * 8, at = (int)get_global_id(1) * shape.pitch_px;

@@ -190,13 +190,6 @@ __kernel void hold_moving(__global const int* labels, __global const uchar* memb
     vstore8(convert_uchar8(left > 0), 0, mask + at);
 }
 
-/* 255 where either mask is not 0. Eight pixels a work-item. */
-__kernel void either(__global const uchar* a, __global const uchar* b, __global uchar* result, const MapShape shape) {
-    const int at = (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8;
-    const int8 set = (convert_int8(vload8(0, a + at)) | convert_int8(vload8(0, b + at))) != 0;
-    vstore8(convert_uchar8(set), 0, result + at);
-}
-
 /* 255 within radius_px rows of `wide`. Eight pixels a work-item. */
 __kernel void widen_columns(__global const uchar* wide, __global uchar* mask, const MapShape shape, const int radius_px) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);

@@ -15,10 +15,3 @@ __kernel void lay_over(__global const float* over_m, __global const float* over_
         vstore8(select(vload8(0, normals_c + i), vload8(0, over_normals_c + i), taken), 0, normals_c + i);
     }
 }
-
-/* 255 where either mask is not 0. Eight pixels a work-item; global size (pitch / 8, rows). */
-__kernel void join_masks(__global const uchar* a, __global const uchar* b, __global uchar* joined, const MapShape shape) {
-    const int at = (int)get_global_id(1) * shape.pitch_px + (int)get_global_id(0) * 8;
-    const uchar8 either = vload8(0, a + at) | vload8(0, b + at);
-    vstore8(convert_uchar8(either != (uchar8)(0)), 0, joined + at);
-}

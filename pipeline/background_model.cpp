@@ -82,7 +82,7 @@ BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& c
       resting_(device, config.rest, config.weights.noise, make_map_shape(intrinsics)),
       prediction_(device, make_map_shape(intrinsics)),
       settled_(device, config.objects, intrinsics),
-      program_(load_kernel_program(device, "settled_objects.cl")),
+      program_(load_kernel_program(device, "foreground_segmentation.cl")),
       join_masks_(program_.kernel("join_masks")),
       left_out_(device, map_pixels(prediction_.shape)),
       joined_(device, map_pixels(prediction_.shape)) {

@@ -8,22 +8,17 @@
 
 namespace touchstone {
 
-using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 namespace {
 
-const std::array<Vector2f, 5>& cross_places_uv() {
-    static const std::array<Vector2f, 5> places{Vector2f(0.5f, 0.5f), Vector2f(0.2f, 0.25f),
-                                                Vector2f(0.8f, 0.25f), Vector2f(0.8f, 0.75f),
-                                                Vector2f(0.2f, 0.75f)};
-    return places;
-}
 constexpr int crosses = 5;
+constexpr std::array<std::array<float, 2>, crosses> places_uv{
+    {{0.5f, 0.5f}, {0.2f, 0.25f}, {0.8f, 0.25f}, {0.8f, 0.75f}, {0.2f, 0.75f}}};
 
 Vector3f place_c_m(const InteractiveArea& area, int cross) {
-    const Vector2f& uv = cross_places_uv()[static_cast<std::size_t>(cross)];
-    return area.origin_c_m + uv.x() * area.axis_u_c_m + uv.y() * area.axis_v_c_m;
+    const auto& [u, v] = places_uv[static_cast<std::size_t>(cross)];
+    return area.origin_c_m + u * area.axis_u_c_m + v * area.axis_v_c_m;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/touch_bias.hpp"
@@ -24,7 +25,9 @@ struct CrossStepConfig {
 /// Camera frame of the area that it is given.
 class CrossStep {
   public:
-    explicit CrossStep(const CrossStepConfig& config) : config_(config) {}
+    /// `remark`: shown before the first touch, such as why the step begins again.
+    explicit CrossStep(const CrossStepConfig& config, std::string remark = {})
+        : config_(config), remark_(std::move(remark)) {}
 
     /// The touches of a frame, measured without bias.
     void take(std::span<const TouchEvent> touches, const InteractiveArea& area);
@@ -49,7 +52,7 @@ class CrossStep {
     CrossStepConfig config_;
     std::vector<Contact> contacts_;
     std::vector<CrossTouch> touches_;
-    std::string remark_;  ///< of the last touch that did not count
+    std::string remark_;  ///< such as why the last touch did not count
     std::optional<TouchBiasFit> result_;
     int rounds_ = 0;  ///< that were added because the sides were alike
 };

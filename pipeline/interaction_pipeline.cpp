@@ -110,6 +110,8 @@ InteractionFrame InteractionPipeline::process(const DepthView& view, std::uint64
             scan(view, frame);
         else
             interact(timestamp_us, frame);
+        frame.touches.insert(frame.touches.begin(), released_.begin(), released_.end());
+        released_.clear();
     }
     times_.end_frame();
     return frame;

@@ -75,6 +75,8 @@ class InteractionPipeline {
     /// From now on this object is looked for in the foreground, and followed (Fig 1 E). Throws Error as
     /// restore_volume.
     void follow_object(const VolumeSnapshot& model);
+    /// The camera is lost: all touches end. The next frame says so.
+    void release_touches() { released_ = touch_.release_all(); }
     /// Is taken off the places of touches from the next frame on.
     void set_touch_bias(const TouchBias& bias) { touch_.set_bias(bias); }
     InteractionFrame process(const DepthView& view, std::uint64_t timestamp_us);
@@ -129,6 +131,7 @@ class InteractionPipeline {
     ForegroundSegmentation segmentation_;
     ColumnDrift drift_;
     TouchDetection touch_;
+    std::vector<TouchEvent> released_;  // when the camera was lost
     ObjectSegmentation objects_;
     Rendering rendering_;
     std::optional<ForegroundModel> foreground_model_;

@@ -36,7 +36,7 @@ MovingParts::MovingParts(const Device& device, const MovingPartsConfig& config, 
       mark_taken_(program_.kernel("mark_taken")),
       remember_free_space_(program_.kernel("remember_free_space")),
       mark_moving_(program_.kernel("mark_moving")),
-      either_(program_.kernel("either")),
+      join_masks_(segmentation_.kernel("join_masks")),
       hold_moving_(program_.kernel("hold_moving")),
       widen_columns_(program_.kernel("widen_columns")),
       keep_supported_seeds_(segmentation_.kernel("keep_supported_seeds")),
@@ -110,7 +110,7 @@ void MovingParts::mark_untracked(const LiveMaps& live, float moving_share) {
     const LaunchSize size = eight_pixels_each(shape_);
     const bool leave_young =
         young_frames() > 0 && moving_share >= config_.untracked_young_share && enough_is_old(live);
-    either_.launch(size, mask_, leave_young ? young_ : mask_, untracked_, shape_);
+    join_masks_.launch(size, mask_, leave_young ? young_ : mask_, untracked_, shape_);
 }
 
 bool MovingParts::enough_is_old(const LiveMaps& live) const {

@@ -87,7 +87,7 @@ class MovingParts {
     DataAssociation association_;
     ConnectedComponents components_;
     Program program_, segmentation_;
-    Kernel copy_windows_, double_windows_, mark_taken_, remember_free_space_, mark_moving_, either_,
+    Kernel copy_windows_, double_windows_, mark_taken_, remember_free_space_, mark_moving_, join_masks_,
         hold_moving_;
     Kernel widen_columns_, keep_supported_seeds_, widen_rows_;
     Buffer<std::uint8_t> codes_, candidates_, members_, none_expected_, parts_, wide_, mask_, young_,

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <fmt/core.h>
-#include <fstream>
-#include <stdexcept>
 
-#include "tests/support/run_program.hpp"
+#include "tests/support/gnuplot.hpp"
 
 namespace touchstone {
 namespace {
 
-constexpr int not_found = 127;
 constexpr int wide_px = 1500, panel_px = 460, title_px = 90;
 
 /// In double quotes, for gnuplot.
@@ -90,14 +87,7 @@ std::string gnuplot_script(const BarChart& chart, const std::filesystem::path& p
 }
 
 void draw_bar_chart(const BarChart& chart, const std::filesystem::path& png) {
-    const TemporaryFolder folder;
-    const std::string script = (folder / "chart.gnuplot").string();
-    std::ofstream(script) << gnuplot_script(chart, png);
-    const test::ProgramResult result = test::run_program({"/usr/bin/env", "gnuplot", script});
-    if (result.status == not_found)
-        throw std::runtime_error(
-            "no chart without gnuplot: apt-get install --no-install-recommends gnuplot-nox");
-    if (result.status != 0) throw std::runtime_error("gnuplot: " + result.err);
+    test::run_gnuplot(gnuplot_script(chart, png));
 }
 
 }  // namespace touchstone

@@ -9,6 +9,7 @@
 #include "tests/accuracy/evaluation_chart.hpp"
 #include "tests/accuracy/evaluation_table.hpp"
 #include "tests/accuracy/touch_score.hpp"
+#include "tests/support/program_main.hpp"
 
 namespace touchstone {
 namespace {
@@ -137,9 +138,6 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace touchstone
 
-int main(int argc, char** argv) try {
-    return touchstone::run(argc, argv);
-} catch (const std::exception& error) {
-    std::fprintf(stderr, "score_baselines: %s\n", error.what());
-    return 65;
+int main(int argc, char** argv) {
+    return touchstone::test::run_main("score_baselines", touchstone::run, argc, argv);
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "tests/accuracy/held_run.hpp"
+#include "tests/support/program_main.hpp"
 
 namespace touchstone {
 namespace {
@@ -52,9 +53,6 @@ int score(int argc, char** argv) {
 }  // namespace
 }  // namespace touchstone
 
-int main(int argc, char** argv) try {
-    return touchstone::score(argc, argv);
-} catch (const std::exception& error) {
-    std::fprintf(stderr, "score_held: %s\n", error.what());
-    return 65;
+int main(int argc, char** argv) {
+    return touchstone::test::run_main("score_held", touchstone::score, argc, argv);
 }

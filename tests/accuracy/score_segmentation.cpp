@@ -7,6 +7,7 @@
 
 #include "platform/system/percentile.hpp"
 #include "tests/accuracy/mask_run.hpp"
+#include "tests/support/program_main.hpp"
 
 namespace touchstone {
 namespace {
@@ -112,9 +113,6 @@ int score(int argc, char** argv) {
 }  // namespace
 }  // namespace touchstone
 
-int main(int argc, char** argv) try {
-    return touchstone::score(argc, argv);
-} catch (const std::exception& error) {
-    std::fprintf(stderr, "score_segmentation: %s\n", error.what());
-    return 65;
+int main(int argc, char** argv) {
+    return touchstone::test::run_main("score_segmentation", touchstone::score, argc, argv);
 }

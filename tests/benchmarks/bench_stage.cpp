@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <unistd.h>
 
+#include "pipeline/kernel_program.hpp"
 #include "platform/openni2_drivers/simulator/simulator_source.hpp"
 
 namespace touchstone {
@@ -87,6 +88,22 @@ void BenchStage::next_frame() {
     if (next_ + 1 == frames_.size()) forward_ = false;
     if (next_ == 0) forward_ = true;
     next_ += forward_ ? std::size_t{1} : static_cast<std::size_t>(-1);
+}
+
+BilateralFilter::BilateralFilter(const BenchStage& stage)
+    : stage_(&stage),
+      program_(load_kernel_program(stage.device(), "depth_map_conversion.cl")),
+      kernel_(program_.kernel("bilateral_filter")),
+      filtered_m_(stage.device(), map_pixels(stage.shape())) {
+    const DepthMapConversionConfig config;
+    params_ = {config.noise, config.filter_sigma_px, config.filter_range_sigmas, config.min_depth_m,
+               config.max_depth_m};
+}
+
+void BilateralFilter::run() {
+    const MapShape& shape = stage_->shape();
+    kernel_.launch(eight_pixels_each(shape), stage_->live().depth_m, filtered_m_, shape, params_);
+    stage_->device().finish();
 }
 
 }  // namespace touchstone

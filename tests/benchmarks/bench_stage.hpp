@@ -50,4 +50,20 @@ class BenchStage {
     double loop_memory_mb_ = 0.0;
 };
 
+/// The conversion's bilateral filter on its own, on a stage's frame.
+class BilateralFilter {
+  public:
+    explicit BilateralFilter(const BenchStage& stage);
+
+    /// Waits for the device.
+    void run();
+
+  private:
+    const BenchStage* stage_;
+    FilterParams params_;
+    Program program_;
+    Kernel kernel_;
+    Buffer<float> filtered_m_;
+};
+
 }  // namespace touchstone

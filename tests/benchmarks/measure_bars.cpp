@@ -6,13 +6,13 @@
 #include <fmt/ranges.h>
 #include <functional>
 
-#include "pipeline/kernel_program.hpp"
 #include "tests/benchmarks/bench_stage.hpp"
 #include "tests/benchmarks/brick_volume.hpp"
 #include "tests/benchmarks/busy_neighbour.hpp"
 #include "tests/benchmarks/dense_yardstick.hpp"
 #include "tests/benchmarks/in_turns.hpp"
 #include "tests/benchmarks/program_runs.hpp"
+#include "tests/support/program_main.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace touchstone {
@@ -75,19 +75,9 @@ void measure_dense(const Options& options) {
 void measure_bilateral(const Options& options) {
     const Device device{DeviceConfig{}};
     const BenchStage stage(device, {});
-    const Program program = load_kernel_program(device, "depth_map_conversion.cl");
-    Kernel filter = program.kernel("bilateral_filter");
-    Buffer<float> filtered_m(device, map_pixels(stage.shape()));
-    const DepthMapConversionConfig config;
-    const FilterParams params{config.noise, config.filter_sigma_px, config.filter_range_sigmas,
-                              config.min_depth_m, config.max_depth_m};
+    BilateralFilter filter(stage);
     std::vector<double> times_ms;
-    for (int i = 0; i < 100 * options.rounds; ++i)
-        times_ms.push_back(time_ms([&] {
-            filter.launch(eight_pixels_each(stage.shape()), stage.live().depth_m, filtered_m, stage.shape(),
-                          params);
-            device.finish();
-        }));
+    for (int i = 0; i < 100 * options.rounds; ++i) times_ms.push_back(time_ms([&] { filter.run(); }));
     print_bar("bilateral filter 640x480, median", percentile(times_ms, 50.0), "ms", 2.0, false);
     fmt::print("    shortest {:.2f} ms\n", percentile(times_ms, 0.0));
 }
@@ -181,9 +171,6 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace touchstone
 
-int main(int argc, char** argv) try {
-    return touchstone::run(argc, argv);
-} catch (const std::exception& error) {
-    std::fprintf(stderr, "measure_bars: %s\n", error.what());
-    return 65;
+int main(int argc, char** argv) {
+    return touchstone::test::run_main("measure_bars", touchstone::run, argc, argv);
 }

@@ -12,6 +12,7 @@
 #include "tests/benchmarks/brick_volume.hpp"
 #include "tests/benchmarks/dense_yardstick.hpp"
 #include "tests/benchmarks/scale_chart.hpp"
+#include "tests/support/program_main.hpp"
 #include "tests/support/run_program.hpp"
 
 namespace touchstone {
@@ -171,9 +172,6 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace touchstone
 
-int main(int argc, char** argv) try {
-    return touchstone::run(argc, argv);
-} catch (const std::exception& error) {
-    std::fprintf(stderr, "measure_scale: %s\n", error.what());
-    return 65;
+int main(int argc, char** argv) {
+    return touchstone::test::run_main("measure_scale", touchstone::run, argc, argv);
 }

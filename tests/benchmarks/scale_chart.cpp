@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <fmt/core.h>
-#include <fstream>
-#include <stdexcept>
 
-#include "tests/support/run_program.hpp"
+#include "tests/support/gnuplot.hpp"
 
 namespace touchstone {
 
 namespace {
 
-constexpr int not_found = 127;
 constexpr int wide_px = 1400, row_px = 420, title_px = 90;
 
 std::string data_blocks(const ScalePanel& panel, std::size_t number) {
@@ -85,14 +82,7 @@ std::string gnuplot_script(const ScaleChart& chart, const std::filesystem::path&
 }
 
 void draw_scale_chart(const ScaleChart& chart, const std::filesystem::path& png) {
-    const TemporaryFolder folder;
-    const std::string script = (folder / "chart.gnuplot").string();
-    std::ofstream(script) << gnuplot_script(chart, png);
-    const test::ProgramResult result = test::run_program({"/usr/bin/env", "gnuplot", script});
-    if (result.status == not_found)
-        throw std::runtime_error(
-            "no chart without gnuplot: apt-get install --no-install-recommends gnuplot-nox");
-    if (result.status != 0) throw std::runtime_error("gnuplot: " + result.err);
+    test::run_gnuplot(gnuplot_script(chart, png));
 }
 
 }  // namespace touchstone

@@ -1,12 +1,10 @@
-// Every stage of the live loop beside the machine's bandwidth, and the dense yardstick, in one run. Ends with
-// the ratios that the product is held to.
+// Every stage of the live loop beside the machine's bandwidth, and the dense yardstick, in one run.
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 
 #include "pipeline/column_drift.hpp"
-#include "pipeline/kernel_program.hpp"
 #include "pipeline/touch_detection.hpp"
 #include "tests/benchmarks/bench_stage.hpp"
 #include "tests/benchmarks/brick_volume.hpp"
@@ -53,14 +51,13 @@ struct Run {
     double pixels() const { return static_cast<double>(map_pixels(stage.shape())); }
     void add(const std::string& name, double bytes, const std::function<void()>& work) {
         benchmark::RegisterBenchmark(name.c_str(), [=, this](benchmark::State& state) {
-            measure(state, medians, name, bytes, triad, work);
+            measure(state, bytes, triad, work);
         })->Unit(benchmark::kMillisecond);
     }
 
     const Device* device;
     BenchStage stage;
     double triad;
-    Medians medians;
     std::optional<DenseVolume> dense;
 };
 
@@ -74,16 +71,8 @@ void add_picture_stages(Run& run) {
         conversion->convert(run.stage.view(), *live);
         run.device->finish();
     });
-    auto program = std::make_shared<Program>(load_kernel_program(*run.device, "depth_map_conversion.cl"));
-    auto filter = std::make_shared<Kernel>(program->kernel("bilateral_filter"));
-    const DepthMapConversionConfig config;
-    const FilterParams params{config.noise, config.filter_sigma_px, config.filter_range_sigmas,
-                              config.min_depth_m, config.max_depth_m};
-    run.add("bilateral filter", run.pixels() * 2 * bytes_per_float, [=, &run] {
-        filter->launch(eight_pixels_each(run.stage.shape()), run.stage.live().depth_m, live->filtered_m,
-                       run.stage.shape(), params);
-        run.device->finish();
-    });
+    auto filter = std::make_shared<BilateralFilter>(stage);
+    run.add("bilateral filter", run.pixels() * 2 * bytes_per_float, [=] { filter->run(); });
 }
 
 /// Pixels of the boxes that touch detection looks at.
@@ -174,7 +163,6 @@ void add_volume_stages(Run& run) {
             [=] { bricks->refresh(); });
     // Depth and normals out.
     run.add("raycast 512, changed view", run.pixels() * 16, [=] { bricks->raycast(); });
-    run.medians["memory 512, MB"] = static_cast<double>(bricks->volume().memory_bytes()) / 1e6;
 }
 
 /// The dense array is there once it is measured, and no longer than until the next one is.
@@ -199,27 +187,6 @@ void add_dense(Run& run, int dense_vox) {
         dense().raycast(run.stage.background().T_g_c(), *prediction);
         run.device->finish();
     });
-    run.medians["dense memory " + size + ", MB"] = bytes / 1e6;
-}
-
-void print_ratios(const Medians& medians) {
-    const auto of = [&](const std::string& name) {
-        const auto found = medians.find(name);
-        return found == medians.end() ? 0.0 : found->second;
-    };
-    const auto ratio = [&](const char* what, const std::string& dense, const std::string& ours,
-                           const char* bar) {
-        if (of(dense) > 0.0 && of(ours) > 0.0)
-            std::printf("%-34s %8.2f / %8.2f = %6.1f  (%s)\n", what, of(dense), of(ours),
-                        of(dense) / of(ours), bar);
-    };
-    ratio("integration, dense / bricks, ms", "dense integration 512", "integration 512", "bar 8");
-    if (of("dense integration 512") > 0.0)
-        ratio("memory, dense / bricks, MB", "dense memory 512, MB", "memory 512, MB", "bar 10");
-    ratio("raycast, dense / bricks, ms", "dense raycast 512", "raycast 512, changed view", "bar 8");
-    if (of("bilateral filter") > 0.0)
-        std::printf("bilateral filter, ms %8.2f  (bar 2)\n", of("bilateral filter"));
-    if (of("whole frame") > 0.0) std::printf("whole frame, ms %8.2f  (bar 8)\n", of("whole frame"));
 }
 
 }  // namespace
@@ -242,6 +209,5 @@ int main(int argc, char** argv) {
     add_dense(run, 256);
     add_dense(run, size_vox);
     benchmark::RunSpecifiedBenchmarks();
-    print_ratios(run.medians);
     return 0;
 }

@@ -209,19 +209,6 @@ TEST_P(MovingPartsKernels, HeldPixelsAgreeWithTheReference) {
     }
 }
 
-TEST_P(MovingPartsKernels, EitherMaskLeavesAPixelOut) {
-    Grid<std::uint8_t> a{width_px, height_px, {}}, b = a;
-    for (int i = 0; i < width_px * height_px; ++i) {
-        a.values.push_back(random() % 3 == 0 ? 255 : 0);
-        b.values.push_back(random() % 3 == 0 ? 1 : 0);
-    }
-    Buffer<std::uint8_t> result(device, map_pixels(shape));
-    program.kernel("either").launch(eight_pixels_each(shape), upload(a), upload(b), result, shape);
-    const std::vector<std::uint8_t> found = test::cropped(shape, result.read());
-    for (std::size_t i = 0; i < found.size(); ++i)
-        ASSERT_EQ(found[i], a.values[i] != 0 || b.values[i] != 0 ? 255 : 0) << i;
-}
-
 TEST_P(MovingPartsKernels, TheMaskIsWidenedByRows) {
     Grid<std::uint8_t> mask{width_px, height_px, {}};
     for (int i = 0; i < width_px * height_px; ++i) mask.values.push_back(random() % 300 == 0 ? 255 : 0);

@@ -58,7 +58,7 @@ TEST_F(ObjectKernels, MasksAreJoined) {
         b[i] = i % 5 == 0 ? 1 : 0;
     }
     Buffer<std::uint8_t> joined(device, a.size());
-    const Program program = load_kernel_program(device, "settled_objects.cl");
+    const Program program = load_kernel_program(device, "foreground_segmentation.cl");
     program.kernel("join_masks")
         .launch(eight_pixels_each(shape), Buffer<std::uint8_t>(device, a), Buffer<std::uint8_t>(device, b),
                 joined, shape);

@@ -99,6 +99,13 @@ TEST_F(CrossStepTest, FromOneSideItGoesOnAndSaysSo) {
     EXPECT_NEAR(step.result()->bias.along_m, bias.along_m, 0.0002f);
 }
 
+TEST_F(CrossStepTest, BeginsAgainWithTheReason) {
+    step = CrossStep(CrossStepConfig{}, "Once more.");
+    EXPECT_EQ(step.guide(area, k).words.find("Once more."), 0u);
+    (void)tap(cross_c_m(), 30.0f);
+    EXPECT_EQ(step.guide(area, k).words.find("Once more."), std::string::npos);
+}
+
 TEST_F(CrossStepTest, WhoNeverTurnsTheHandGetsNoBias) {
     for (int touch = 0; touch < 30; ++touch) (void)tap(cross_c_m(), 30.0f);
     ASSERT_TRUE(step.result());

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,8 @@ struct SourceFrame {
     std::vector<std::uint8_t>
         color_rgb;          ///< 3 bytes a pixel, row-major; empty when there is none for this frame
     bool withheld = false;  ///< made, but not handed over: a camera that stalls
-};
-
-/// Thrown by FrameSource::next: the camera is pulled out, and comes back after so many seconds.
-struct SourceUnplugged {
-    double back_after_s;
+    /// The camera is pulled out instead of giving this frame, its last one, and comes back after so long.
+    std::optional<double> back_after_s;
 };
 
 enum class Pace {

@@ -162,16 +162,13 @@ bool SourceDevice::deliver_next() {
     // Without the lock: a listener may ask for properties.
     if (outcome == Outcome::end) state_changed_(ONI_DEVICE_STATE_EOF);
     if (outcome == Outcome::failed) state_changed_(ONI_DEVICE_STATE_ERROR);
-    if (outcome == Outcome::unplugged && unplugged_) unplugged_(back_after_s_);
+    if (outcome == Outcome::unplugged && unplugged_) unplugged_(*frame_.back_after_s);
     return outcome == Outcome::delivered;
 }
 
 SourceDevice::Outcome SourceDevice::make_frame() {
     try {
         if (!source_->next(frame_)) return Outcome::end;
-    } catch (const SourceUnplugged& pulled) {
-        back_after_s_ = pulled.back_after_s;
-        return Outcome::unplugged;
     } catch (const Error& error) {
         error_ = driver_error(error.status(), error.what());
         return Outcome::failed;
@@ -179,6 +176,7 @@ SourceDevice::Outcome SourceDevice::make_frame() {
         error_ = driver_error(ExitStatus::bad_data, error.what());
         return Outcome::failed;
     }
+    if (frame_.back_after_s) return Outcome::unplugged;
     if (frame_.withheld) return Outcome::delivered;
     if (color_ && color_->running()) {
         color_->deliver(frame_.color_rgb.data(), frame_.color_rgb.size(), frame_.index, frame_.timestamp_us);

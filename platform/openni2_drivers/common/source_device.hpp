@@ -50,7 +50,6 @@ class SourceDevice : public oni::driver::DeviceBase {
     const SourceInfo info_;
     std::function<void(OniDeviceState)> state_changed_;
     std::function<void(double)> unplugged_;
-    double back_after_s_ = 0;
     StreamDescription depth_description_, color_description_;
     OniSensorInfo sensors_[2]{};
 

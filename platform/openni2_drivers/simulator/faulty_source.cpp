@@ -28,8 +28,11 @@ void FaultySource::restarted() {
 bool FaultySource::next(SourceFrame& frame) {
     if (!source_->next(made_)) return false;
     time_s_ = static_cast<double>(made_.timestamp_us) / 1e6;
-    if (faults_.unplug_s >= 0 && time_s_ >= faults_.unplug_s) throw SourceUnplugged{faults_.fault_s};
     frame = made_;
+    if (faults_.unplug_s >= 0 && time_s_ >= faults_.unplug_s) {
+        frame.back_after_s = faults_.fault_s;
+        return true;
+    }
     frame.withheld = lasts(faults_.stall_s, time_s_);
     if (faults_.clock_jump_s >= 0 && time_s_ >= faults_.clock_jump_s) frame.timestamp_us += hour_us;
     if (lasts(faults_.freeze_s, time_s_)) {

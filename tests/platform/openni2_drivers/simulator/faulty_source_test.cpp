@@ -91,14 +91,8 @@ TEST(FaultySource, IsPulledOut) {
     faults.unplug_s = 0.1;
     faults.fault_s = 1.5;
     Faulty faulty(faults);
-    faulty.next();
-    SourceFrame frame;
-    try {
-        faulty.source.next(frame);
-        FAIL();
-    } catch (const SourceUnplugged& pulled) {
-        EXPECT_EQ(pulled.back_after_s, 1.5);
-    }
+    EXPECT_FALSE(faulty.next().back_after_s);
+    EXPECT_EQ(faulty.next().back_after_s, 1.5);
 }
 
 TEST(FaultySource, KeysOfTheUri) {
