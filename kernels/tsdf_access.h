@@ -10,17 +10,29 @@ INLINE int8 pack_voxels8(const float8 tsdf, const int8 weight, const int8 change
     return (value & 0xffff) | (weight << 16) | (change << 24);
 }
 
+/* The bricks of eight voxels inside the cube. */
+INLINE int8 brick_of8(const VolumeParams volume, const int8 x, const int8 y, const int8 z) {
+    return ((z >> 3) * volume.bricks_per_side + (y >> 3)) * volume.bricks_per_side + (x >> 3);
+}
+
+INLINE int8 offset_in_brick8(const int8 x, const int8 y, const int8 z) {
+    return ((z & 7) << 6) | ((y & 7) << 3) | (x & 7);
+}
+
+/* Voxels of eight cells in the bricks of these slots; 0, that is unknown, where a slot is negative: an absent brick. */
+INLINE int8 read_slots8(__global const int* pool, const int8 slot, const int8 x, const int8 y, const int8 z) {
+    const int8 present = slot >= 0;
+    const int8 at = slot * BRICK_VOXELS + offset_in_brick8(x, y, z);
+    return select((int8)(0), gather_int8(pool, select((int8)(-1), at, present)), present);
+}
+
 /* Voxels of eight cells (whole-number voxel coordinates); 0, that is unknown, outside the cube and in absent bricks. */
 INLINE int8 read_voxels8(__global const int* table, __global const int* pool, const VolumeParams volume, const int8 x,
                          const int8 y, const int8 z) {
     const int n = volume.size_vox;
     const int8 inside = (x >= 0) & (y >= 0) & (z >= 0) & (x < n) & (y < n) & (z < n);
-    const int8 brick = ((z >> 3) * volume.bricks_per_side + (y >> 3)) * volume.bricks_per_side + (x >> 3);
-    const int8 slot = gather_int8(table, select((int8)(-1), brick, inside));
-    const int8 offset = ((z & 7) << 6) | ((y & 7) << 3) | (x & 7);
-    const int8 present = slot >= 0;
-    const int8 voxel = gather_int8(pool, select((int8)(-1), slot * BRICK_VOXELS + offset, present));
-    return select((int8)(0), voxel, present);
+    const int8 slot = gather_int8(table, select((int8)(-1), brick_of8(volume, x, y, z), inside));
+    return read_slots8(pool, slot, x, y, z);
 }
 
 typedef struct Cells8 {
@@ -46,9 +58,8 @@ INLINE Cells8 read_cells8(__global const int* table, __global const int* pool, c
         c.v111 = read_voxels8(table, pool, volume, x + 1, y + 1, z + 1);
         return c;
     }
-    const int8 brick = ((z >> 3) * volume.bricks_per_side + (y >> 3)) * volume.bricks_per_side + (x >> 3);
-    const int8 slot = gather_int8(table, brick);
-    const int8 at = max(slot, 0) * BRICK_VOXELS + (((z & 7) << 6) | ((y & 7) << 3) | (x & 7));
+    const int8 slot = gather_int8(table, brick_of8(volume, x, y, z));
+    const int8 at = max(slot, 0) * BRICK_VOXELS + offset_in_brick8(x, y, z);
     c.v000 = gather_int8(pool, at);
     c.v100 = gather_int8(pool, at + 1);
     c.v010 = gather_int8(pool, at + 8);

@@ -94,7 +94,7 @@ void Raycasting::update_ranges(const TsdfVolume& volume, const RigidTransform& T
 
 void Raycasting::launch(const TsdfVolume& volume, const RigidTransform& T_g_c, int tiles,
                         SurfacePrediction& prediction) {
-    const LaunchSize size{{32 * static_cast<std::size_t>(tiles), 1, 1}, {32, 1, 1}};
+    const LaunchSize size{{TILE_PX * static_cast<std::size_t>(tiles), 1, 1}, {TILE_PX, 1, 1}};
     raycast_kernel_.launch(size, tiles_, tile_near_, tile_far_, volume.table(), volume.pool(),
                            volume.params(), intrinsics_, shape_, to_pose(T_g_c), prediction.depth_m,
                            prediction.normals_c);

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <optional>
+#include <sched.h>
+#include <unistd.h>
 #include <vector>
 
 #include "platform/opencl/device_error.hpp"
@@ -11,7 +13,20 @@ namespace touchstone {
 
 namespace {
 
+/// A core for each of PoCL's threads: Linux else often wakes two of them on one core, and a kernel of a
+/// millisecond is over before the other core helps. PoCL counts cores from 0 and fails on one that it may not
+/// use, so that a process kept to some of them is left as it is; so is the user's own choice.
+void pin_pocl_threads() {
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+    const auto cores = sysconf(_SC_NPROCESSORS_ONLN);
+    if (cores < 1 || CPU_COUNT(&allowed) != cores || !CPU_ISSET(cores - 1, &allowed)) return;
+    setenv("POCL_AFFINITY", "1", 0);
+}
+
 std::vector<cl::Device> all_devices() {
+    pin_pocl_threads();
     std::vector<cl::Device> devices;
     std::vector<cl::Platform> platforms;
     try {

@@ -1,5 +1,11 @@
 #include "platform/opencl/device.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <unistd.h>
+
 #include "platform/opencl/device_error.hpp"
 #include "tests/support/expect_error.hpp"
 
@@ -23,6 +29,29 @@ TEST(Device, UnknownNameListsWhatThereIs) {
     expect_error([] { Device(DeviceConfig{.choice = "Quantum 9000", .cache_dir = {}}); },
                  ExitStatus::unavailable,
                  testing::AllOf(testing::HasSubstr("Quantum 9000"), testing::HasSubstr(any.name())));
+}
+
+/// The cores that a thread of this process may use, as Linux writes them.
+std::string allowed_cores(const std::filesystem::path& task) {
+    std::ifstream status(task / "status");
+    const std::string key = "Cpus_allowed_list:\t";
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(key)) return line.substr(key.size());
+    return {};
+}
+
+TEST(Device, EachThreadOfPoclHasACoreOfItsOwn) {
+    const Device device(DeviceConfig{.choice = "cpu", .cache_dir = {}});
+    const auto cores = static_cast<std::size_t>(sysconf(_SC_NPROCESSORS_ONLN));
+    const std::string all = cores == 1 ? "0" : "0-" + std::to_string(cores - 1);
+    if (!device.name().starts_with("pthread") || allowed_cores("/proc/self") != all)
+        GTEST_SKIP() << "not PoCL, or kept to some cores";
+    std::set<std::string> single;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+        const std::string list = allowed_cores(task.path());
+        if (list != all) single.insert(list);
+    }
+    EXPECT_EQ(single.size(), cores == 1 ? 0 : cores);
 }
 
 TEST(DeviceError, NamesCallCodeAndDevice) {
