@@ -17,41 +17,48 @@ __kernel void convert_depth(__global const ushort* depth_mm, __global float* dep
     vstore8(select((float8)(0.0f), z, valid), 0, depth_m + y * shape.pitch_px + x);
 }
 
-INLINE float8 compact_gauss8(const float8 e) {
-    float8 w = fmax(1.0f - e * 0.125f, 0.0f);
-    w *= w;
-    w *= w;
-    return w * w;
-}
-
 INLINE float8 load_or_zero8(__global const float* row, const int x, const MapShape shape) {
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (float8)(0.0f);
 }
 
+/* One row of taps: depths off the centre in units in which 1 is beyond the filter's reach. A missing depth is that far off. */
+INLINE void add_taps8(const float8 a, const float8 b, const float8 c, const float8 scale, const float8 center,
+                      const float* nearness, float8* sum, float8* weights) {
+    const float8 taps[5] = {(float8)(a.s67, b.s0123, b.s45), (float8)(a.s7, b.s0123, b.s456), b,
+                            (float8)(b.s1234, b.s567, c.s0), (float8)(b.s2345, b.s67, c.s01)};
+    for (int i = 0; i < 5; ++i) {
+        const float8 off = taps[i] * scale - center;
+        float8 w = select((float8)(0.0f), fmax(nearness[i] - off * off, 0.0f), taps[i] > 0.0f);
+        w *= w;
+        w *= w;
+        w *= w;
+        *sum += w * off;
+        *weights += w;
+    }
+}
+
+/* Weight (1 - e/8)^8: see FilterParams. */
 __kernel void bilateral_filter(__global const float* depth_m, __global float* filtered_m, const MapShape shape,
                                const FilterParams params) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
-    const float8 center = vload8(0, depth_m + y * shape.pitch_px + x);
-    const float8 range_sigma_m = params.range_sigmas * sigma_z8(params.noise, center);
-    const float8 range_scale = 0.5f / (range_sigma_m * range_sigma_m);
-    const float spatial_scale = 0.5f / (params.spatial_sigma_px * params.spatial_sigma_px);
+    const float8 center_m = vload8(0, depth_m + y * shape.pitch_px + x);
+    if (!any(center_m > 0.0f)) {
+        vstore8((float8)(0.0f), 0, filtered_m + y * shape.pitch_px + x);
+        return;
+    }
+    const float8 scale = 0.25f / (params.range_sigmas * sigma_z8(params.noise, center_m));
+    const float8 center = center_m * scale;
+    const float per_px2 = 1.0f / (16.0f * params.spatial_sigma_px * params.spatial_sigma_px);
     float8 sum = (float8)(0.0f), weights = (float8)(0.0f);
     for (int j = max(-2, -y); j <= min(2, shape.rows_px - 1 - y); ++j) {
         __global const float* row = depth_m + (y + j) * shape.pitch_px;
-        const float8 a = load_or_zero8(row, x - 8, shape), b = vload8(0, row + x), c = load_or_zero8(row, x + 8, shape);
-        const float8 taps[5] = {(float8)(a.s67, b.s0123, b.s45), (float8)(a.s7, b.s0123, b.s456), b,
-                                (float8)(b.s1234, b.s567, c.s0), (float8)(b.s2345, b.s67, c.s01)};
-        for (int i = -2; i <= 2; ++i) {
-            const float8 d = taps[i + 2];
-            const float8 dz = d - center;
-            const float8 w = compact_gauss8((float)(i * i + j * j) * spatial_scale + dz * dz * range_scale);
-            const float8 used = select((float8)(0.0f), w, d > 0.0f);
-            sum += used * dz;
-            weights += used;
-        }
+        const float middle = 1.0f - (float)(j * j) * per_px2;
+        const float nearness[5] = {middle - 4.0f * per_px2, middle - per_px2, middle, middle - per_px2, middle - 4.0f * per_px2};
+        add_taps8(load_or_zero8(row, x - 8, shape), vload8(0, row + x), load_or_zero8(row, x + 8, shape), scale, center,
+                  nearness, &sum, &weights);
     }
-    const float8 filtered = center + sum / fmax(weights, 1e-6f);
-    vstore8(select((float8)(0.0f), filtered, center > 0.0f), 0, filtered_m + y * shape.pitch_px + x);
+    const float8 filtered_m8 = center_m + sum / (fmax(weights, 1e-6f) * scale);
+    vstore8(select((float8)(0.0f), filtered_m8, center_m > 0.0f), 0, filtered_m + y * shape.pitch_px + x);
 }
 
 /* The difference of the neighbours on one axis, or of one neighbour and the pixel where the other is missing or more

@@ -24,6 +24,19 @@ INLINE Surface8 gather_surface8(__global const float* depth_m, __global const fl
     return s;
 }
 
+/* The same at the eight pixels that start at (x, y). */
+INLINE Surface8 load_surface8(__global const float* depth_m, __global const float* normals_c, const Intrinsics k,
+                              const MapShape shape, const int x, const int y) {
+    const int plane = shape.pitch_px * shape.rows_px, at = y * shape.pitch_px + x;
+    Surface8 s;
+    s.v = back_project8(k, x, y, vload8(0, depth_m + at));
+    s.n.x = vload8(0, normals_c + at);
+    s.n.y = vload8(0, normals_c + plane + at);
+    s.n.z = vload8(0, normals_c + 2 * plane + at);
+    s.known = (s.v.z > 0.0f) & (dot8(s.n, s.n) > 0.5f);
+    return s;
+}
+
 /* Where a lane of s is unknown, the first known surface among four pixels around: holes of the prediction are narrow and
  * lie along edges. */
 INLINE Surface8 fill_from_around8(const Surface8 s, __global const float* depth_m, __global const float* normals_c,
@@ -57,17 +70,33 @@ INLINE int8 foot_pixel8(const Surface8 s, const Points8 v, const float8 height_m
     return project_to_index8(k, shape, foot);
 }
 
+/* Whether any of the eight pixels or of the pixels beside them is in the mask. */
+INLINE int near_mask8(__global const uchar* mask, const MapShape shape, const int x, const int y) {
+    uchar8 found = (uchar8)(0);
+    for (int j = max(y - 1, 0); j <= min(y + 1, shape.rows_px - 1); ++j) {
+        __global const uchar* row = mask + j * shape.pitch_px;
+        found |= vload8(0, row + x) | (uchar8)(row[max(x - 1, 0)] | row[min(x + 8, shape.pitch_px - 1)]);
+    }
+    return as_ulong(found) != 0;
+}
+
 /* Eight pixels a work-item; global size (width / 8, height) of a rectangle of the map that starts at (origin_x, origin_y),
- * origin_x a multiple of 8. height_m is UNKNOWN_HEIGHT_M where the live depth or the background around is missing. */
+ * origin_x a multiple of 8. height_m is UNKNOWN_HEIGHT_M where the live depth or the background around is missing, and far from
+ * the mask. */
 __kernel void touch_map(__global const float* live_m, __global const uchar* mask, __global const float* background_m,
                         __global const float* normals_c, __global float* height_m, __global uchar* touch, const int origin_x,
                         const int origin_y, const Intrinsics k, const MapShape shape, const TouchMapParams params) {
     const int x = origin_x + (int)get_global_id(0) * 8, y = origin_y + (int)get_global_id(1);
     const int at = y * shape.pitch_px + x;  // L4:2
+    if (!near_mask8(mask, shape, x, y)) {
+        vstore8((uchar8)(0), 0, touch + at);
+        vstore8((float8)(UNKNOWN_HEIGHT_M), 0, height_m + at);
+        return;
+    }
     const float8 z = vload8(0, live_m + at);
     const Points8 v_fg = back_project8(k, x, y, z);  // L4:1
     const int8 here = convert_int8_rte(lanes8()) + at;
-    const Surface8 hit = gather_surface8(background_m, normals_c, k, shape, here);  // L4:3
+    const Surface8 hit = load_surface8(background_m, normals_c, k, shape, x, y);  // L4:3
     Surface8 bg = fill_from_around8(hit, background_m, normals_c, k, shape, here, z > 0.0f);
     const int8 used = (z > 0.0f) & bg.known;                                 // L4:4
     float8 height = height_over8(bg, v_fg);

@@ -43,9 +43,12 @@ __kernel void sample_weights(__global const float* depth_m, __global const float
     const Points8 ray = pixel_rays8(k, x, y);
     const float8 cos_theta = -dot8(n, ray) * rsqrt(dot8(ray, ray));
     const int8 grazing = has_normal & (cos_theta < params.min_cos);
-    const float8 most = (float8)((float)params.most);
-    const float8 by_noise = most / relative_variance8(params, fmax(z, 0.01f), cos_theta);
-    const float8 weight = clamp(select((float8)(1.0f), by_noise, has_normal), (float8)(1.0f), most);
+    float8 weight = (float8)(1.0f);
+    if (params.most > 1) {
+        const float8 most = (float8)((float)params.most);
+        const float8 by_noise = most / relative_variance8(params, fmax(z, 0.01f), cos_theta);
+        weight = clamp(select((float8)(1.0f), by_noise, has_normal), (float8)(1.0f), most);
+    }
     const float8 used = select((float8)(0.0f), weight, measured & ~flying & ~grazing);
     vstore8(convert_uchar8(convert_int8_rte(used)), 0, weights + at);
 }

@@ -15,21 +15,63 @@ using Vector6f = Eigen::Matrix<float, 6, 1>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// A point against the shape: place along the axis (0 over the round end), outward direction, distance.
-struct Residual {
-    float along_m;
-    Vector3f outward;
-    float scale;  ///< of the radius at this place
-    float distance_m;
+/// Four points, one a lane.
+using Lanes = Eigen::Array4f;
+
+struct LaneVector {
+    Lanes x, y, z;
 };
 
-Residual residual_of(const FingerShape& shape, const FingerFitConfig& config, const Vector3f& point_m) {
-    const Vector3f offset = point_m - shape.center_m;
-    const float along = std::max(0.0f, offset.dot(shape.axis));
-    const Vector3f across = offset - along * shape.axis;
-    const float norm = std::max(1e-6f, across.norm());
-    const float scale = 1.0f + config.widening * along / config.length_m;
-    return {along, across / norm, scale, norm - shape.radius_m * scale};
+Lanes dot(const LaneVector& a, const Vector3f& b) { return a.x * b.x() + a.y * b.y() + a.z * b.z(); }
+Lanes dot(const LaneVector& a, const LaneVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// Four of the points that are fitted to. `counts` is 0 in the lanes behind the last one, else 1.
+struct FourPoints {
+    LaneVector at_m;
+    Lanes inverse_distance;  ///< 1 / distance from the camera
+    Lanes counts;
+};
+
+/// Points against the shape: place along the axis (0 over the round end), outward direction, distance.
+struct Residuals {
+    Lanes along_m;
+    LaneVector outward;
+    Lanes scale;  ///< of the radius at this place
+    Lanes distance_m;
+};
+
+Residuals residuals_of(const FingerShape& shape, const FingerFitConfig& config, const LaneVector& p) {
+    const Vector3f& c = shape.center_m;
+    const LaneVector offset{p.x - c.x(), p.y - c.y(), p.z - c.z()};
+    Residuals r;
+    r.along_m = dot(offset, shape.axis).max(0.0f);
+    const LaneVector across{offset.x - r.along_m * shape.axis.x(), offset.y - r.along_m * shape.axis.y(),
+                            offset.z - r.along_m * shape.axis.z()};
+    const Lanes norm = dot(across, across).sqrt().max(1e-6f), inverse = norm.inverse();
+    r.outward = {across.x * inverse, across.y * inverse, across.z * inverse};
+    r.scale = 1.0f + (config.widening / config.length_m) * r.along_m;
+    r.distance_m = norm - shape.radius_m * r.scale;
+    return r;
+}
+
+/// An even choice of at most `most` points.
+std::vector<FourPoints> in_lanes(std::span<const Vector3f> points_m, std::size_t most) {
+    const std::size_t stride = 1 + points_m.size() / most;
+    std::vector<FourPoints> fours;
+    fours.reserve(points_m.size() / stride / 4 + 1);
+    for (std::size_t i = 0; i < points_m.size(); i += 4 * stride) {
+        FourPoints four;
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            const std::size_t from = i + lane * stride;
+            const Vector3f p = points_m[from < points_m.size() ? from : i];
+            const auto to = static_cast<Eigen::Index>(lane);
+            four.at_m.x[to] = p.x(), four.at_m.y[to] = p.y(), four.at_m.z[to] = p.z();
+            four.inverse_distance[to] = 1.0f / p.norm();
+            four.counts[to] = from < points_m.size() ? 1.0f : 0.0f;
+        }
+        fours.push_back(four);
+    }
+    return fours;
 }
 
 /// Two directions that complete the axis to a frame.
@@ -49,14 +91,14 @@ struct NormalEquations {
 
 class Fitter {
   public:
-    Fitter(std::span<const Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
-           const FingerFitConfig& config)
-        : points_m_(points_m), guess_(guess), sigma_z_m_(sigma_z_m), config_(config) {}
+    Fitter(std::span<const Vector3f> points_m, std::size_t most_points, const FingerGuess& guess,
+           float sigma_z_m, const FingerFitConfig& config)
+        : points_(in_lanes(points_m, most_points)), guess_(guess), sigma_z_m_(sigma_z_m), config_(config) {}
 
     NormalEquations equations(const FingerShape& shape, bool rough) const {
         const auto [u, v] = sideways(shape.axis);
         NormalEquations sum;
-        for (const Vector3f& p : points_m_) add_point(shape, u, v, p, rough, sum);
+        for (const FourPoints& points : points_) add_points(shape, u, v, points, rough, sum);
         add_priors(shape, u, v, sum);
         sum.cost += prior_cost(shape);
         return sum;
@@ -65,11 +107,14 @@ class Fitter {
     /// Cost of a shape over the points in the reach of `anchor`, priors included: comparable between
     /// shapes.
     double cost(const FingerShape& shape, const FingerShape& anchor, bool rough) const {
+        const float reach_m = anchor.center_m.dot(anchor.axis) + config_.length_m;
         double sum = 0.0;
-        for (const Vector3f& p : points_m_) {
-            if ((p - anchor.center_m).dot(anchor.axis) > config_.length_m) continue;
-            const Residual r = residual_of(shape, config_, p);
-            sum += loss_of(r.distance_m, variance_of(r, p), rough);
+        for (const FourPoints& points : points_) {
+            const Residuals r = residuals_of(shape, config_, points.at_m);
+            const Lanes variance = variance_of(r, points), gate_m = gate_of(variance, rough);
+            const Lanes used =
+                (dot(points.at_m, anchor.axis) <= reach_m).select(points.counts, Lanes::Zero());
+            sum += static_cast<double>((used * loss_of(r.distance_m, variance, gate_m)).sum());
         }
         return sum + prior_cost(shape);
     }
@@ -82,23 +127,21 @@ class Fitter {
         return 0.5 * (radius * radius + axis * axis + outline * outline);
     }
 
-    float variance_of(const Residual& r, const Vector3f& p) const {
-        const float along_ray = sigma_z_m_ * r.outward.dot(p) / p.norm();
+    Lanes variance_of(const Residuals& r, const FourPoints& points) const {
+        const Lanes along_ray = sigma_z_m_ * dot(r.outward, points.at_m) * points.inverse_distance;
         return along_ray * along_ray + config_.lateral_sigma_m * config_.lateral_sigma_m;
     }
-    float gate_of(float variance, bool rough) const {
-        return std::max(rough ? config_.first_gate_m : 0.0f, config_.gate_sigmas * std::sqrt(variance));
+    Lanes gate_of(const Lanes& variance, bool rough) const {
+        return (config_.gate_sigmas * variance.sqrt()).max(rough ? config_.first_gate_m : 0.0f);
     }
 
     /// Tukey's loss gives up on what is far off the skin.
-    float weight_of(float distance_m, float variance, bool rough) const {
-        const float gate_m = gate_of(variance, rough);
-        const float share = std::min(1.0f, std::abs(distance_m) / gate_m);
-        return (1.0f - share * share) * (1.0f - share * share) / variance;
+    static Lanes weight_of(const Lanes& distance_m, const Lanes& variance, const Lanes& gate_m) {
+        const Lanes share = (distance_m / gate_m).abs().min(1.0f), rest = 1.0f - share * share;
+        return rest * rest / variance;
     }
-    float loss_of(float distance_m, float variance, bool rough) const {
-        const float gate_m = gate_of(variance, rough);
-        const float rest = 1.0f - std::min(1.0f, distance_m * distance_m / (gate_m * gate_m));
+    static Lanes loss_of(const Lanes& distance_m, const Lanes& variance, const Lanes& gate_m) {
+        const Lanes share = (distance_m / gate_m).abs().min(1.0f), rest = 1.0f - share * share;
         return gate_m * gate_m / 6.0f * (1.0f - rest * rest * rest) / variance;
     }
 
@@ -119,29 +162,36 @@ class Fitter {
         sum.JTe.head<3>() += outline_weight * n.dot(shape.center_m.cast<double>()) * n;
     }
 
-    void add_point(const FingerShape& shape, const Vector3f& u, const Vector3f& v, const Vector3f& p,
-                   bool rough, NormalEquations& sum) const {
-        const Residual r = residual_of(shape, config_, p);
-        if (r.along_m > config_.length_m) return;
-        const float variance = variance_of(r, p);
-        const float weight = weight_of(r.distance_m, variance, rough);
-        ++sum.points;
-        sum.cost += loss_of(r.distance_m, variance, rough);
-        if (std::abs(r.distance_m) <= gate_of(variance, rough)) {
-            ++sum.inliers;
-            sum.square_sum += r.distance_m * r.distance_m / variance;
-        }
-        if (weight <= 0.0f) return;
-        Vector6f J;
-        J << -r.outward + (r.along_m > 0.0f ? shape.radius_m * config_.widening / config_.length_m : 0.0f) *
-                              shape.axis,
-            -r.along_m * r.outward.dot(u), -r.along_m * r.outward.dot(v), -r.scale;
-        const Vector6d weighted = (weight * J).cast<double>(), J_double = J.cast<double>();
-        sum.JTJ += weighted * J_double.transpose();
-        sum.JTe += static_cast<double>(r.distance_m) * weighted;
+    void add_points(const FingerShape& shape, const Vector3f& u, const Vector3f& v, const FourPoints& points,
+                    bool rough, NormalEquations& sum) const {
+        const Residuals r = residuals_of(shape, config_, points.at_m);
+        const Lanes used = (r.along_m <= config_.length_m).select(points.counts, Lanes::Zero());
+        if (used.maxCoeff() <= 0.0f) return;
+        const Lanes variance = variance_of(r, points), gate_m = gate_of(variance, rough);
+        const Lanes inliers = (r.distance_m.abs() <= gate_m).select(used, Lanes::Zero());
+        sum.points += static_cast<int>(used.sum());
+        sum.inliers += static_cast<int>(inliers.sum());
+        sum.square_sum += (inliers * r.distance_m * r.distance_m / variance).sum();
+        sum.cost += static_cast<double>((used * loss_of(r.distance_m, variance, gate_m)).sum());
+        const Lanes weight = used * weight_of(r.distance_m, variance, gate_m);
+        const float widening = shape.radius_m * config_.widening / config_.length_m;
+        const Lanes widens = (r.along_m > 0.0f).select(Lanes::Constant(widening), Lanes::Zero());
+        Eigen::Matrix<double, 6, 4> J, weighted;
+        const auto set_row = [&](Eigen::Index row, const Lanes& values) {
+            J.row(row) = values.matrix().transpose().cast<double>();
+            weighted.row(row) = (weight * values).matrix().transpose().cast<double>();
+        };
+        set_row(0, widens * shape.axis.x() - r.outward.x);
+        set_row(1, widens * shape.axis.y() - r.outward.y);
+        set_row(2, widens * shape.axis.z() - r.outward.z);
+        set_row(3, -r.along_m * dot(r.outward, u));
+        set_row(4, -r.along_m * dot(r.outward, v));
+        set_row(5, -r.scale);
+        sum.JTJ.noalias() += weighted * J.transpose();
+        sum.JTe.noalias() += weighted * r.distance_m.matrix().cast<double>();
     }
 
-    std::span<const Vector3f> points_m_;
+    std::vector<FourPoints> points_;
     FingerGuess guess_;
     float sigma_z_m_;
     FingerFitConfig config_;
@@ -159,18 +209,13 @@ FingerShape stepped(const FingerShape& shape, const Vector6f& step, const Finger
     return next;
 }
 
-std::vector<Vector3f> even_choice(std::span<const Vector3f> points_m, int most) {
-    const std::size_t stride = 1 + points_m.size() / static_cast<std::size_t>(most);
-    std::vector<Vector3f> chosen;
-    chosen.reserve(points_m.size() / stride + 1);
-    for (std::size_t i = 0; i < points_m.size(); i += stride) chosen.push_back(points_m[i]);
-    return chosen;
-}
-
 }  // namespace
 
 float distance_m(const FingerShape& shape, const FingerFitConfig& config, const Vector3f& point_m) {
-    return residual_of(shape, config, point_m).distance_m;
+    const Vector3f offset = point_m - shape.center_m;
+    const float along = std::max(0.0f, offset.dot(shape.axis));
+    return (offset - along * shape.axis).norm() -
+           shape.radius_m * (1.0f + config.widening * along / config.length_m);
 }
 
 float pad_sigma_m(const FingerFit& fit, const Vector3f& normal) {
@@ -181,8 +226,7 @@ float pad_sigma_m(const FingerFit& fit, const Vector3f& normal) {
 
 FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
                      const FingerFitConfig& config) {
-    const std::vector<Vector3f> chosen = even_choice(points_m, config.most_points);
-    const Fitter fitter(chosen, guess, sigma_z_m, config);
+    const Fitter fitter(points_m, static_cast<std::size_t>(config.most_points), guess, sigma_z_m, config);
     FingerFit fit;
     fit.shape = guess.shape;
     const int rough_rounds = guess.rough ? config.rough_rounds : 0;
@@ -201,7 +245,8 @@ FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& gues
         if (better) fit.shape = next;
         if (better && !rough && step.head<3>().norm() < config.settled_m) break;
     }
-    const NormalEquations last = Fitter(points_m, guess, sigma_z_m, config).equations(fit.shape, false);
+    const Fitter all(points_m, points_m.size() + 1, guess, sigma_z_m, config);
+    const NormalEquations last = all.equations(fit.shape, false);
     fit.points = last.points;
     fit.inliers = last.inliers;
     fit.rms_sigmas = std::sqrt(last.square_sum / static_cast<float>(std::max(1, last.inliers)));

@@ -1,7 +1,9 @@
 #include "pipeline/fingertip_detection.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
 
 namespace touchstone {
 
@@ -80,7 +82,11 @@ class Search {
         }
     }
 
-    std::vector<FingertipCandidate> tips() const { return tips_; }
+    void add(std::span<const FingertipCandidate> tips) {
+        for (const FingertipCandidate& tip : tips) add_distinct(tips_, tip, config_);
+    }
+
+    const std::vector<FingertipCandidate>& tips() const { return tips_; }
 
   private:
     void copy_heights(const PixelRegion& region) {
@@ -148,8 +154,23 @@ std::vector<FingertipCandidate> detect_fingertips(const TablePicture& picture,
                                                   std::span<const PixelRegion> regions,
                                                   std::span<const KnownFinger> known,
                                                   const FingertipDetectionConfig& config) {
+    const std::vector<PixelRegion> apart = merged(regions);
+    std::vector<std::vector<FingertipCandidate>> tips(apart.size());
+    std::atomic<std::size_t> next = 0;
+    const auto look = [&] {
+        for (std::size_t i = next++; i < apart.size(); i = next++) {
+            Search search(picture, known, config);
+            search.look_at_minima(apart[i]);
+            tips[i] = search.tips();
+        }
+    };
+    // A second core takes the second hand; of more than two cores the rest is not worth a thread.
+    std::future<void> helper;
+    if (apart.size() > 1) helper = std::async(std::launch::async, look);
+    look();
+    if (helper.valid()) helper.get();
     Search search(picture, known, config);
-    for (const PixelRegion& region : merged(regions)) search.look_at_minima(region);
+    for (const std::vector<FingertipCandidate>& of_region : tips) search.add(of_region);
     search.look_where_expected();
     return search.tips();
 }

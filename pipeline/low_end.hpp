@@ -25,7 +25,9 @@ struct LowEnd {
 };
 
 /// Whether a pixel is foreground with a depth and a height.
-bool is_foreground(const TablePicture& picture, std::size_t at);
+inline bool is_foreground(const TablePicture& picture, std::size_t at) {
+    return picture.mask[at] != 0 && picture.live_m[at] > 0.0f && picture.height_m[at] < UNKNOWN_HEIGHT_M;
+}
 
 /// Grows from a pixel over foreground without steps, up to a distance from the pixel's point.
 class LowEndFlood {
@@ -40,8 +42,8 @@ class LowEndFlood {
     bool is_surrounded(int x, int y, const Eigen::Vector3f& seed_m) const;
     Eigen::Vector3f point(int x, int y) const;
     std::uint8_t& seen(int x, int y);
-    void visit(int x, int y, LowEnd& end);
-    void try_step(int from_x, int from_y, int x, int y, LowEnd& end);
+    void visit(int x, int y, const Eigen::Vector3f& at_m, LowEnd& end);
+    void step_around(int from_x, int from_y, LowEnd& end);
 
     const TablePicture& picture_;
     LowEndConfig config_;

@@ -7,15 +7,6 @@ namespace touchstone {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-bool in_picture(const TablePicture& picture, int x, int y) {
-    return x >= 0 && y >= 0 && x < picture.shape.width_px && y < picture.shape.height_px;
-}
-
-Vector3f back_project(const Intrinsics& k, int x, int y, float depth_m) {
-    return depth_m * Vector3f((static_cast<float>(x) - k.cx_px) / k.fx_px,
-                              (static_cast<float>(y) - k.cy_px) / k.fy_px, 1.0f);
-}
-
 Vector2f project(const Intrinsics& k, const Vector3f& p) {
     return {p.x() / p.z() * k.fx_px + k.cx_px, p.y() / p.z() * k.fy_px + k.cy_px};
 }

@@ -31,8 +31,13 @@ struct SurfacePoint {
 inline std::size_t index_of(const TablePicture& picture, int x, int y) {
     return map_index(picture.shape, x, y);
 }
-bool in_picture(const TablePicture& picture, int x, int y);
-Eigen::Vector3f back_project(const Intrinsics& intrinsics, int x, int y, float depth_m);
+inline bool in_picture(const TablePicture& picture, int x, int y) {
+    return x >= 0 && y >= 0 && x < picture.shape.width_px && y < picture.shape.height_px;
+}
+inline Eigen::Vector3f back_project(const Intrinsics& intrinsics, int x, int y, float depth_m) {
+    return depth_m * Eigen::Vector3f((static_cast<float>(x) - intrinsics.cx_px) / intrinsics.fx_px,
+                                     (static_cast<float>(y) - intrinsics.cy_px) / intrinsics.fy_px, 1.0f);
+}
 /// Place in the picture of a point in front of the camera.
 Eigen::Vector2f project(const Intrinsics& intrinsics, const Eigen::Vector3f& point_c_m);
 SurfacePoint background_at(const TablePicture& picture, int x, int y);
