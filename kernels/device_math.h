@@ -83,6 +83,13 @@ INLINE uchar8 gather_uchar8(__global const uchar* map, const int8 index) {
     return (uchar8)(map[i.s0], map[i.s1], map[i.s2], map[i.s3], map[i.s4], map[i.s5], map[i.s6], map[i.s7]);
 }
 
+/* The same of a whole map of bytes (a multiple of four of them), by the words that they are in; 0 where the index is negative. */
+INLINE int8 gather_mask8(__global const uchar* map, const int8 index) {
+    const int8 i = max(index, 0);
+    const int8 word = gather_int8((__global const int*)map, i >> 2);
+    return select((int8)(0), (word >> ((i & 3) << 3)) & 0xff, index >= 0);
+}
+
 /* Axial noise of the sensor for a surface that faces it. */
 INLINE float8 sigma_z8(const SensorNoise noise, const float8 depth_m) {
     const float8 from_offset = depth_m - noise.offset_m;

@@ -1,5 +1,5 @@
 /* Listing 2: projective TSDF integration of one masked depth picture, brick by brick instead of slice by slice
- * (PAPER.md#3). A work-group is one brick; a work-item is one row of eight voxels along x. */
+ * (PAPER.md#3). A work-group is one brick. */
 
 /* Behind the surface a sample is a measurement as far as its noise reaches, at least a voxel; deeper it is a guess, as nobody
  * knows how thick a thing is, and weighs 1 from twice as deep on. Free space weighs 1, too: what is seen past a thin thing's
@@ -16,57 +16,77 @@ typedef struct Sight8 {
     float8 measured_m, lambda; /* lambda: the ray's length over its depth */
 } Sight8;
 
-INLINE Sight8 see_voxels8(__global const float* depth_m, const int brick, const int row, const VolumeParams volume,
-                          const Intrinsics k, const MapShape shape, const Pose T_c_g) {
+/* Camera points of the first row of eight voxels of a brick's slice `layer`. */
+INLINE Points8 first_row8(const int brick, const int layer, const VolumeParams volume, const Pose T_c_g) {
     const int n = volume.bricks_per_side;
     Points8 v_g;
     v_g.x = (lanes8() + ((float)(brick % n * BRICK_VOX) + 0.5f)) * volume.voxel_m;
-    v_g.y = (float8)(((float)(brick / n % n * BRICK_VOX + (row & 7)) + 0.5f) * volume.voxel_m);
-    v_g.z = (float8)(((float)(brick / (n * n) * BRICK_VOX + (row >> 3)) + 0.5f) * volume.voxel_m);  // L2:3
-    const Points8 v_c = transform_points8(T_c_g, v_g);                                              // L2:4
+    v_g.y = (float8)(((float)(brick / n % n * BRICK_VOX) + 0.5f) * volume.voxel_m);
+    v_g.z = (float8)(((float)(brick / (n * n) * BRICK_VOX + layer) + 0.5f) * volume.voxel_m);  // L2:3
+    return transform_points8(T_c_g, v_g);                                                        // L2:4
+}
+
+/* What the voxels `row` rows on see. */
+INLINE Sight8 see_voxels8(__global const float* depth_m, const Points8 first, const int row, const VolumeParams volume,
+                          const Intrinsics k, const MapShape shape, const Pose T_c_g) {
+    const float step_m = (float)row * volume.voxel_m;
     Sight8 sight;
-    sight.v_c = v_c;
-    sight.pixel = project_to_index8(k, shape, v_c);  // L2:5
-    sight.measured_m = sight.lambda = (float8)(0.0f);
-    if (!any(sight.pixel >= 0)) return sight;  // L2:6
+    sight.v_c.x = first.x + T_c_g.row_x.y * step_m;
+    sight.v_c.y = first.y + T_c_g.row_y.y * step_m;
+    sight.v_c.z = first.z + T_c_g.row_z.y * step_m;
+    const int8 ahead = sight.v_c.z > 0.05f;
+    const float8 inverse_z = 1.0f / select((float8)(1.0f), sight.v_c.z, ahead);
+    const float8 a = sight.v_c.x * inverse_z, b = sight.v_c.y * inverse_z;
+    const float8 u = a * k.fx_px + (k.cx_px + 0.5f), v = b * k.fy_px + (k.cy_px + 0.5f);
+    const int8 inside = ahead & (u >= 0.0f) & (v >= 0.0f) & (u < (float)shape.width_px) & (v < (float)shape.height_px);
+    const int8 column = convert_int8_rtz(select((float8)(0.0f), u, inside));
+    const int8 line = convert_int8_rtz(select((float8)(0.0f), v, inside));
+    sight.pixel = select((int8)(-1), line * shape.pitch_px + column, inside);  // L2:5
     sight.measured_m = gather8(depth_m, sight.pixel);
     // It makes both distances lengths along the ray; positive in front (PAPER.md#1).
-    const float8 inverse_z = 1.0f / fmax(v_c.z, 0.05f);
-    sight.lambda = sqrt(1.0f + (v_c.x * v_c.x + v_c.y * v_c.y) * inverse_z * inverse_z);
+    sight.lambda = sqrt(1.0f + (a * a + b * b));
     return sight;
 }
 
+/* A work-item is a slice of a brick. */
 __kernel void integrate(__global const int* slots, __global const int* brick_of_slot, __global int* pool,
                         __global uchar* has_inside, __global const float* depth_m, __global const uchar* sample_weights,
                         const VolumeParams volume, const SensorNoise noise, const Intrinsics k, const MapShape shape,
                         const Pose T_c_g) {
-    const int slot = slots[get_group_id(0)], row = (int)get_local_id(0);
-    const Sight8 sight = see_voxels8(depth_m, brick_of_slot[slot], row, volume, k, shape, T_c_g);
-    if (!any(sight.pixel >= 0)) return;
-    const float8 measured_m = sight.measured_m, sdf_m = sight.lambda * (measured_m - sight.v_c.z);  // L2:7
-    const int8 pixel_weight = convert_int8(gather_uchar8(sample_weights, sight.pixel));
-    // Behind the surface stays unknown, and both sides share one scale (PAPER.md#2).
-    const int8 sampled = (sight.pixel >= 0) & (measured_m > 0.0f) & (pixel_weight > 0) & (sdf_m > -volume.min_truncation_m);  // L2:10
-    if (!any(sampled)) return;
-    const float8 tsdf = fmin(1.0f, sdf_m / volume.max_truncation_m);  // L2:8 L2:9 L2:11
-    __global int* voxels = pool + slot * BRICK_VOXELS + row * BRICK_VOX;
-    const int8 old = vload8(0, voxels), stored_weight = voxel_weight8(old);
-    const float8 old_tsdf = voxel_tsdf8(old);
-    const int8 is_free = sdf_m >= volume.max_truncation_m;
-    const float8 guess_m = fmax(3.0f * sigma_z8(noise, measured_m), volume.voxel_m);
-    const int8 sample_weight = weight_along_ray8(pixel_weight, sdf_m, guess_m, is_free);
-    // In front of a surface free space tells nothing new, and what another side's surface lets guess is not believed.
-    const int8 is_guess = (sdf_m < -guess_m) & (pixel_weight > 1);
-    const int8 used = sampled & ~((is_free | is_guess) & (old_tsdf > 0.0f) & (old_tsdf < 1.0f));
-    // Free space where a thing was: the thing left. Each such frame takes a quarter of the old weight.
-    const int8 old_weight = select(stored_weight, stored_weight * 3 / 4, is_free & (old_tsdf <= 0.0f));
-    const int8 weight = min(old_weight + sample_weight, volume.max_weight);  // L2:12
-    const float8 old_weight_f = convert_float8(old_weight), sample_weight_f = convert_float8(sample_weight);
-    // The stored weight weighs the average, the new sample its own (PAPER.md#4).
-    const float8 average = (old_tsdf * old_weight_f + tsdf * sample_weight_f) / (old_weight_f + sample_weight_f);  // L2:13
-    const int8 packed = pack_voxels8(average, weight, (old >> 24) & 0xff);
-    vstore8(select(old, packed, used), 0, voxels);  // L2:14
-    if (any(used & (average <= 0.0f))) has_inside[slot] = 1;
+    const int slot = slots[get_group_id(0)], layer = (int)get_local_id(0);
+    const Points8 first = first_row8(brick_of_slot[slot], layer, volume, T_c_g);
+    const float to_tsdf = 1.0f / volume.max_truncation_m;
+    int8 any_inside = (int8)(0);
+    for (int row = 0; row < BRICK_VOX; ++row) {
+        const Sight8 sight = see_voxels8(depth_m, first, row, volume, k, shape, T_c_g);  // L2:6
+        const float8 measured_m = sight.measured_m, sdf_m = sight.lambda * (measured_m - sight.v_c.z);  // L2:7
+        // Behind the surface stays unknown, and both sides share one scale (PAPER.md#2).
+        const int8 reached = (measured_m > 0.0f) & (sdf_m > -volume.min_truncation_m);  // L2:10
+        if (!any(reached)) continue;
+        const int8 pixel_weight = gather_mask8(sample_weights, sight.pixel);
+        const int8 sampled = reached & (pixel_weight > 0);
+        if (!any(sampled)) continue;
+        const float8 tsdf = fmin(1.0f, sdf_m * to_tsdf);  // L2:8 L2:9 L2:11
+        __global int* voxels = pool + slot * BRICK_VOXELS + (layer * BRICK_VOX + row) * BRICK_VOX;
+        const int8 old = vload8(0, voxels), stored_weight = voxel_weight8(old);
+        const float8 old_tsdf = voxel_tsdf8(old);
+        const int8 is_free = sdf_m >= volume.max_truncation_m;
+        const float8 guess_m = fmax(3.0f * sigma_z8(noise, measured_m), volume.voxel_m);
+        const int8 sample_weight = weight_along_ray8(pixel_weight, sdf_m, guess_m, is_free);
+        // In front of a surface free space tells nothing new, and what another side's surface lets guess is not believed.
+        const int8 is_guess = (sdf_m < -guess_m) & (pixel_weight > 1);
+        const int8 used = sampled & ~((is_free | is_guess) & (old_tsdf > 0.0f) & (old_tsdf < 1.0f));
+        // Free space where a thing was: the thing left. Each such frame takes a quarter of the old weight.
+        const int8 old_weight = select(stored_weight, (stored_weight * 3) >> 2, is_free & (old_tsdf <= 0.0f));
+        const int8 weight = min(old_weight + sample_weight, volume.max_weight);  // L2:12
+        const float8 old_weight_f = convert_float8(old_weight), sample_weight_f = convert_float8(sample_weight);
+        // The stored weight weighs the average, the new sample its own (PAPER.md#4).
+        const float8 average = (old_tsdf * old_weight_f + tsdf * sample_weight_f) / (old_weight_f + sample_weight_f);  // L2:13
+        const int8 packed = pack_voxels8(average, weight, (old >> 24) & 0xff);
+        vstore8(select(old, packed, used), 0, voxels);  // L2:14
+        any_inside |= used & (average <= 0.0f);
+    }
+    if (any(any_inside)) has_inside[slot] = 1;
 }
 
 #define ONE_SURFACE_PER_M 0.015f
@@ -101,8 +121,9 @@ __kernel void integrate_moving(__global const int* brick_of_slot, __global int* 
     const int slot = (int)get_group_id(0), row = (int)get_local_id(0);
     __global int* voxels = pool + slot * BRICK_VOXELS + row * BRICK_VOX;
     const int8 old = vload8(0, voxels), stored_weight = voxel_weight8(old);
-    const Sight8 sight = see_voxels8(depth_m, brick_of_slot[slot], row, volume, k, shape, T_c_g);
-    const int8 pixel_weight = convert_int8(gather_uchar8(sample_weights, sight.pixel));
+    const Points8 first = first_row8(brick_of_slot[slot], row >> 3, volume, T_c_g);
+    const Sight8 sight = see_voxels8(depth_m, first, row & 7, volume, k, shape, T_c_g);
+    const int8 pixel_weight = gather_mask8(sample_weights, sight.pixel);
     // A depth between four pixels differs from the nearest pixel's by less than slack_m along the ray.
     const float8 slack_m = sight.lambda * (ONE_SURFACE_PER_M * sight.measured_m);
     const float8 nearest_sdf_m = sight.lambda * (sight.measured_m - sight.v_c.z);

@@ -11,7 +11,9 @@ namespace touchstone {
 
 namespace {
 
-LaunchSize one_brick_each(std::size_t bricks) { return {{round_up(bricks, 64), 1, 1}, {64, 1, 1}}; }
+LaunchSize eight_bricks_each(std::size_t bricks) {
+    return {{round_up(ceil_div(bricks, 8), 8), 1, 1}, {8, 1, 1}};
+}
 
 }  // namespace
 
@@ -61,7 +63,7 @@ void Raycasting::refresh(const TsdfVolume& volume, const RigidTransform& T_g_c,
     if (bricks_.size() < changed_bricks.size()) bricks_ = Buffer<int>(*device_, 2 * changed_bricks.size());
     bricks_.write(changed_bricks);
     flags_.fill(0);
-    flag_brick_tiles_.launch(one_brick_each(changed_bricks.size()), bricks_,
+    flag_brick_tiles_.launch(eight_bricks_each(changed_bricks.size()), bricks_,
                              static_cast<int>(changed_bricks.size()), flags_, volume.params(), intrinsics_,
                              shape_, to_pose(T_g_c.inverse()));
     int count = 0;
@@ -87,7 +89,7 @@ void Raycasting::update_ranges(const TsdfVolume& volume, const RigidTransform& T
     tile_near_.fill(std::bit_cast<int>(std::numeric_limits<float>::max()));
     tile_far_.fill(0);
     if (volume.bricks_in_use() == 0) return;
-    brick_range_image_.launch(one_brick_each(static_cast<std::size_t>(volume.bricks_in_use())),
+    brick_range_image_.launch(eight_bricks_each(static_cast<std::size_t>(volume.bricks_in_use())),
                               volume.brick_of_slot(), volume.bricks_in_use(), volume.has_inside(), tile_near_,
                               tile_far_, volume.params(), intrinsics_, shape_, to_pose(T_g_c.inverse()));
 }

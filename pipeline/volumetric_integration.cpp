@@ -36,7 +36,7 @@ const std::vector<int>& VolumetricIntegration::integrate(TsdfVolume& volume, con
     classify(volume, depth_m, sample_weights, T_c_g, layers);
     select_bricks(volume, layers);
     if (updated_bricks_.empty()) return updated_bricks_;
-    const LaunchSize size{{64 * updated_bricks_.size(), 1, 1}, {64, 1, 1}};
+    const LaunchSize size{{BRICK_VOX * updated_bricks_.size(), 1, 1}, {BRICK_VOX, 1, 1}};
     integrate_.launch(size, slots_, volume.brick_of_slot(), volume.pool(), volume.has_inside(), depth_m,
                       sample_weights, volume.params(), noise_, intrinsics_, shape_, T_c_g);
     return updated_bricks_;
@@ -70,9 +70,9 @@ void VolumetricIntegration::classify(const TsdfVolume& volume, const Buffer<floa
     const auto side = static_cast<std::size_t>(volume.params().bricks_per_side);
     const auto count = static_cast<std::size_t>(layers.count);
     if (classes_.size() < side * count * side) classes_ = Buffer<std::uint8_t>(*device_, side * count * side);
-    classify_bricks_.launch({{round_up(side, 64), count, side}, {64, 1, 1}}, depth_m, sample_weights,
-                            tile_ranges_m_, classes_, layers.first, volume.params(), intrinsics_, shape_,
-                            T_c_g);
+    classify_bricks_.launch({{ceil_div(side, 8), count, round_up(side, 8)}, {1, 1, 8}}, depth_m,
+                            sample_weights, tile_ranges_m_, classes_, layers.first, layers.count,
+                            volume.params(), intrinsics_, shape_, T_c_g);
 }
 
 void VolumetricIntegration::select_bricks(TsdfVolume& volume, const BrickLayers& layers) {
