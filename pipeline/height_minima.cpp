@@ -41,6 +41,25 @@ class Flood {
         }
     }
 
+    /// The pixels of one row from `first` to before `end` at once, which all have the highest level.
+    void add_run(int first, int end, int level) {
+        for (int pixel = first; pixel < end; ++pixel) parent(pixel) = first;
+        basin(first) = {end - first, level, first};
+        int mine = first, last = dry;
+        const auto meet = [&](int pixel) {
+            const int next = parent(pixel);
+            if (next == dry || next == last) return;
+            last = next;
+            const int other = root(next);
+            if (other != mine) mine = join(mine, other, level);
+        };
+        const int stride_px = neighbours_[6];
+        for (const int row : {-stride_px, stride_px})
+            for (int pixel = first - 1; pixel <= end; ++pixel) meet(pixel + row);
+        meet(first - 1);
+        meet(end);
+    }
+
     HeightMinima result() {
         HeightMinima found;
         std::vector<int> object(parents_.size(), -1);
@@ -88,34 +107,54 @@ class Flood {
     HeightMinimaConfig config_;
 };
 
+/// Pixels with their levels, lowest first: of those below the level `top`, in the numbers of the Flood.
+std::vector<std::pair<int, int>> in_order(std::span<const int> level, int width_px, int top) {
+    std::vector<int> next(static_cast<std::size_t>(top) + 1, 0);
+    for (const int l : level)
+        if (l >= 0 && l < top) ++next[static_cast<std::size_t>(l) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<std::pair<int, int>> order(static_cast<std::size_t>(next.back()));
+    int pixel = width_px + 3, x = 0;
+    for (const int l : level) {
+        if (l >= 0 && l < top)
+            order[static_cast<std::size_t>(next[static_cast<std::size_t>(l)]++)] = {pixel, l};
+        const bool row_ends = ++x == width_px;
+        pixel += row_ends ? 3 : 1;
+        if (row_ends) x = 0;
+    }
+    return order;
+}
+
+/// Half of an arm is so high that the order does not matter any more.
+void flood_highest(std::span<const int> level, int width_px, int top, Flood& flood) {
+    int before_row = width_px + 3;
+    for (; !level.empty();
+         level = level.subspan(static_cast<std::size_t>(width_px)), before_row += width_px + 2) {
+        const auto row = level.first(static_cast<std::size_t>(width_px));
+        for (auto from = std::ranges::find(row, top); from != row.end();) {
+            const auto end = std::find_if(from, row.end(), [&](int l) { return l != top; });
+            flood.add_run(before_row + static_cast<int>(from - row.begin()),
+                          before_row + static_cast<int>(end - row.begin()), top);
+            from = std::find(end, row.end(), top);
+        }
+    }
+}
+
 }  // namespace
 
 HeightMinima find_height_minima(std::span<const float> height_m, std::span<const std::uint8_t> member,
                                 int width_px, const HeightMinimaConfig& config) {
-    const int levels = static_cast<int>((config.highest_m + config.prominence_m) * levels_per_m) + 2;
-    const auto level_of = [&](std::size_t i) {
-        return static_cast<int>(std::clamp(height_m[i] * levels_per_m, 0.0f, static_cast<float>(levels - 1)));
-    };
-    std::vector<int> first(static_cast<std::size_t>(levels) + 1, 0);
-    for (std::size_t i = 0; i < member.size(); ++i)
-        if (member[i] != 0) ++first[static_cast<std::size_t>(level_of(i)) + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    struct Level {
-        int pixel, level;
-    };
-    std::vector<Level> order(static_cast<std::size_t>(first.back()));
-    const int stride_px = width_px + 2, height_px = static_cast<int>(member.size()) / std::max(width_px, 1);
-    std::size_t i = 0;
-    for (int y = 1; y <= height_px; ++y) {
-        for (int x = 1; x <= width_px; ++x, ++i) {
-            if (member[i] == 0) continue;
-            const int level = level_of(i);
-            order[static_cast<std::size_t>(first[static_cast<std::size_t>(level)]++)] = {y * stride_px + x,
-                                                                                         level};
-        }
+    const int top = static_cast<int>((config.highest_m + config.prominence_m) * levels_per_m) + 1;
+    std::vector<int> level(member.size(), -1);
+    for (std::size_t i = 0; i < member.size(); ++i) {
+        if (member[i] != 0)
+            level[i] =
+                static_cast<int>(std::clamp(height_m[i] * levels_per_m, 0.0f, static_cast<float>(top)));
     }
+    const int stride_px = width_px + 2, height_px = static_cast<int>(member.size()) / std::max(width_px, 1);
     Flood flood(static_cast<std::size_t>(stride_px * (height_px + 2)), stride_px, config);
-    for (const auto& [pixel, level] : order) flood.add(pixel, level);
+    for (const auto& [pixel, its_level] : in_order(level, width_px, top)) flood.add(pixel, its_level);
+    flood_highest(level, width_px, top, flood);
     HeightMinima found = flood.result();
     for (HeightMinimum& minimum : found.minima)
         minimum.index = (minimum.index / stride_px - 1) * width_px + minimum.index % stride_px - 1;
