@@ -118,10 +118,10 @@ TableFrame Perception::process(const DepthFrame& frame) {
     if (!pipeline_ || !same_camera(intrinsics_, frame.intrinsics)) {
         start_pipeline(frame.intrinsics);
     }
-    const InteractionFrame result =
-        pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
-    recovery_.healthy(std::chrono::steady_clock::now());
+    const InteractionFrame result = pipeline_->see({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
     publish(result, frame);
+    pipeline_->follow();
+    recovery_.healthy(std::chrono::steady_clock::now());
     save_scan_when_new(result.state);
     TableFrame shown;
     shown.index = frame.index;

@@ -94,27 +94,43 @@ SavedScan InteractionPipeline::saved_scan() const {
 }
 
 InteractionFrame InteractionPipeline::process(const DepthView& view, std::uint64_t timestamp_us) {
+    InteractionFrame frame = see(view, timestamp_us);
+    follow();
+    return frame;
+}
+
+InteractionFrame InteractionPipeline::see(const DepthView& view, std::uint64_t timestamp_us) {
+    const StageTimer whole(times_, "frame");
+    const StageTimer until_touches(times_, "touches out");
     InteractionFrame frame;
     foreground_is_modelled_ = false;
+    background_mask_ = nullptr;
     {
+        const StageTimer timer(times_, "depth map conversion");
+        conversion_.convert(view, live_);
+    }
+    if (!background_ && !place_volume(view))
+        frame.note = "The camera sees nothing between 0.3 and 6 m yet";
+    else if (aligning_ != nullptr)
+        align(view, frame);
+    else if (scanned_frames_ < config_.scan_frames)
+        scan(view, frame);
+    else
+        interact(timestamp_us, frame);
+    frame.touches.insert(frame.touches.begin(), released_.begin(), released_.end());
+    released_.clear();
+    return frame;
+}
+
+void InteractionPipeline::follow() {
+    if (background_mask_ != nullptr) {
         const StageTimer whole(times_, "frame");
-        {
-            const StageTimer timer(times_, "depth map conversion");
-            conversion_.convert(view, live_);
-        }
-        if (!background_ && !place_volume(view))
-            frame.note = "The camera sees nothing between 0.3 and 6 m yet";
-        else if (aligning_ != nullptr)
-            align(view, frame);
-        else if (scanned_frames_ < config_.scan_frames)
-            scan(view, frame);
-        else
-            interact(timestamp_us, frame);
-        frame.touches.insert(frame.touches.begin(), released_.begin(), released_.end());
-        released_.clear();
+        const StageTimer timer(times_, "volumetric integration, raycast");
+        background_->follow(live_, *background_mask_);
+        device_->finish();
+        background_mask_ = nullptr;
     }
     times_.end_frame();
-    return frame;
 }
 
 bool InteractionPipeline::place_volume(const DepthView& view) {
@@ -211,10 +227,9 @@ void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame&
         if (verdict == CameraVerdict::still) shift_before_doubt_.assign(before.begin(), before.end());
         conversion_.set_column_shift(drift_.update(live_, background, foreground));
     }
-    if (verdict == CameraVerdict::still) segment_objects(foreground, timestamp_us, frame);
-    const StageTimer timer(times_, "volumetric integration, raycast");
-    if (verdict == CameraVerdict::still) background_->follow(live_, foreground.background_mask);
-    device_->finish();
+    if (verdict != CameraVerdict::still) return;
+    segment_objects(foreground, timestamp_us, frame);
+    background_mask_ = &foreground.background_mask;
 }
 
 void InteractionPipeline::reconstruct_foreground(const Foreground& foreground) {

@@ -79,6 +79,11 @@ class InteractionPipeline {
     void release_touches() { released_ = touch_.release_all(); }
     /// Is taken off the places of touches from the next frame on.
     void set_touch_bias(const TouchBias& bias) { touch_.set_bias(bias); }
+    /// What a frame shows, its touches above all. follow() must come before the next frame.
+    InteractionFrame see(const DepthView& view, std::uint64_t timestamp_us);
+    /// Keeps the background up with the frame that was seen last: it can wait until the touches are out.
+    void follow();
+    /// Both.
     InteractionFrame process(const DepthView& view, std::uint64_t timestamp_us);
     /// The background as it is. Only once the state has been live. Waits for the device.
     SavedScan saved_scan() const;
@@ -99,7 +104,7 @@ class InteractionPipeline {
     }
     /// As measured, of the last frame.
     const LiveMaps& live() const { return live_; }
-    /// Stages by the paper's names, and "frame" for all of process().
+    /// Stages by the paper's names; "touches out" is all of see(), "frame" that and follow().
     const StageTimes& stage_times() const { return times_; }
     void forget_stage_times() { times_.clear(); }
 
@@ -136,7 +141,8 @@ class InteractionPipeline {
     Rendering rendering_;
     std::optional<ForegroundModel> foreground_model_;
     std::optional<HeldObject> held_;
-    bool foreground_is_modelled_ = false;  ///< in the last frame
+    bool foreground_is_modelled_ = false;                    ///< in the last frame
+    const Buffer<std::uint8_t>* background_mask_ = nullptr;  ///< what follow() leaves out; null: no following
     std::optional<BackgroundModel> background_;
     std::optional<InteractiveArea> area_;
     Buffer<std::uint8_t> no_foreground_;
