@@ -34,16 +34,11 @@ typedef struct BrickView {
 /* Half the extent along one camera axis of a cube of the global frame with half-side h. */
 INLINE float half_extent(const float4 row, const float h) { return h * (fabs(row.x) + fabs(row.y) + fabs(row.z)); }
 
-/* Depth range and tiles of the box around a brick, parallel to the camera's axes and grown by margin_m. A brick that
- * reaches the camera is left out. */
-INLINE BrickView view_brick(const int brick, const VolumeParams volume, const Intrinsics k, const MapShape shape,
-                            const Pose T_c_g, const float margin_m) {
-    const int n = volume.bricks_per_side;
-    const float side_m = volume.voxel_m * BRICK_VOX;
-    const float4 center_g = (float4)(((float)(brick % n) + 0.5f) * side_m, ((float)(brick / n % n) + 0.5f) * side_m,
-                                     ((float)(brick / (n * n)) + 0.5f) * side_m, 1.0f);
+/* Depth range and tiles of the box around a cube with half-side half_m, parallel to the camera's axes. One that reaches the
+ * camera is left out. */
+INLINE BrickView view_cube(const float4 center_g, const float half_m, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const float2 center = (float2)(dot(T_c_g.row_x, center_g), dot(T_c_g.row_y, center_g));
-    const float half_m = 0.5f * side_m + margin_m, depth_m = dot(T_c_g.row_z, center_g);
+    const float depth_m = dot(T_c_g.row_z, center_g);
     const float2 extent = (float2)(half_extent(T_c_g.row_x, half_m), half_extent(T_c_g.row_y, half_m));
     BrickView view;
     view.near_m = depth_m - half_extent(T_c_g.row_z, half_m);
@@ -62,6 +57,20 @@ INLINE BrickView view_brick(const int brick, const VolumeParams volume, const In
     return view;
 }
 
+/* The middle of a cube of `bricks` bricks along each side, of which (x, y, z) is the first. */
+INLINE float4 cube_center(const int x, const int y, const int z, const int bricks, const VolumeParams volume) {
+    const float side_m = volume.voxel_m * BRICK_VOX, half_side = 0.5f * (float)bricks;
+    return (float4)(((float)x + half_side) * side_m, ((float)y + half_side) * side_m, ((float)z + half_side) * side_m, 1.0f);
+}
+
+/* Of a brick, grown by margin_m. */
+INLINE BrickView view_brick(const int brick, const VolumeParams volume, const Intrinsics k, const MapShape shape,
+                            const Pose T_c_g, const float margin_m) {
+    const int n = volume.bricks_per_side;
+    const float4 center_g = cube_center(brick % n, brick / n % n, brick / (n * n), 1, volume);
+    return view_cube(center_g, 0.5f * volume.voxel_m * BRICK_VOX + margin_m, k, shape, T_c_g);
+}
+
 /* How many pixels of a tile that the brick covers have a depth within low_m to high_m. */
 INLINE int count_depths_within(__global const float* depth_m, __global const uchar* sample_weights, const MapShape shape,
                                const int tx, const int ty, const int4 pixels, const float low_m, const float high_m) {
@@ -78,20 +87,15 @@ INLINE int count_depths_within(__global const float* depth_m, __global const uch
     return c4.x + c4.y + c4.z + c4.w;
 }
 
-/* Class of the bricks of the layers first_layer ... along y against the tile ranges. One brick a work-item: global size
- * (bricks_per_side rounded up, layers, bricks_per_side). A tile with an edge in it spans much depth: its pixels
- * decide, and single ones, that fly between the edge's two sides, do not. */
-__kernel void classify_bricks(__global const float* depth_m, __global const uchar* sample_weights, __global const float2* ranges_m,
-                              __global uchar* classes, const int first_layer, const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
-    const int n = volume.bricks_per_side, x = (int)get_global_id(0), z = (int)get_global_id(2);
-    if (x >= n) return;
-    const int brick = (z * n + first_layer + (int)get_global_id(1)) * n + x;
-    const BrickView view = view_brick(brick, volume, k, shape, T_c_g, 0.0f);
+/* Class of a brick against the tile ranges. A tile with an edge in it spans much depth: its pixels decide, and single ones, that
+ * fly between the edge's two sides, do not. */
+INLINE uchar classify_brick(__global const float* depth_m, __global const uchar* sample_weights, __global const float2* ranges_m,
+                            const BrickView view, const VolumeParams volume, const MapShape shape) {
     const int tiles_per_row = shape.pitch_px / TILE_PX;
     const float low_m = view.near_m - volume.min_truncation_m, high_m = view.far_m + volume.max_truncation_m;
     uchar result = BRICK_HIDDEN;
     int edge_pixels = 0;
-    for (int ty = view.tiles.z; ty <= view.tiles.w && result != BRICK_NEAR_SURFACE; ++ty) {
+    for (int ty = view.tiles.z; ty <= view.tiles.w; ++ty) {
         for (int tx = view.tiles.x; tx <= view.tiles.y; ++tx) {
             const float2 range = ranges_m[ty * tiles_per_row + tx];
             if (range.y <= 0.0f || range.y < low_m) continue;
@@ -99,14 +103,51 @@ __kernel void classify_bricks(__global const float* depth_m, __global const ucha
             if (range.x <= high_m && wide) {
                 edge_pixels += count_depths_within(depth_m, sample_weights, shape, tx, ty, view.pixels, low_m, high_m);
             }
-            if (range.x <= high_m && (!wide || edge_pixels >= BRICK_EDGE_PIXELS)) {
-                result = BRICK_NEAR_SURFACE;
-                break;
-            }
+            if (range.x <= high_m && (!wide || edge_pixels >= BRICK_EDGE_PIXELS)) return BRICK_NEAR_SURFACE;
             result = BRICK_FREE_SPACE;
         }
     }
-    classes[(z * (int)get_global_size(1) + (int)get_global_id(1)) * n + x] = result;
+    return result;
+}
+
+/* Whether all bricks of a cube of them are hidden: out of the picture, or behind what is seen. Those that reach the camera are. */
+INLINE bool is_hidden(__global const float2* ranges_m, const float4 center_g, const float half_m, const VolumeParams volume,
+                      const Intrinsics k, const MapShape shape, const Pose T_c_g) {
+    const BrickView view = view_cube(center_g, half_m, k, shape, T_c_g);
+    if (!(view.near_m > 0.05f)) return view.far_m <= 0.05f;
+    for (int ty = view.tiles.z; ty <= view.tiles.w; ++ty) {
+        for (int tx = view.tiles.x; tx <= view.tiles.y; ++tx) {
+            const float far_m = ranges_m[ty * (shape.pitch_px / TILE_PX) + tx].y;
+            if (far_m > 0.0f && far_m >= view.near_m - volume.min_truncation_m) return false;
+        }
+    }
+    return true;
+}
+
+/* Class of the bricks of the layers first_layer ... first_layer + layers - 1 along y. A cube of group^3 bricks a work-item, which
+ * is mostly hidden as a whole: global size bricks_per_side, layers and bricks_per_side over group, rounded up. */
+__kernel void classify_bricks(__global const float* depth_m, __global const uchar* sample_weights, __global const float2* ranges_m,
+                              __global uchar* classes, const int first_layer, const int layers, const int group,
+                              const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
+    const int n = volume.bricks_per_side;
+    const int x0 = (int)get_global_id(0) * group, x1 = min(x0 + group, n);
+    const int y0 = (int)get_global_id(1) * group, y1 = min(y0 + group, layers);
+    const int z0 = (int)get_global_id(2) * group, z1 = min(z0 + group, n);
+    const float half_m = 0.5f * volume.voxel_m * BRICK_VOX;
+    const float4 center_g = cube_center(x0, first_layer + y0, z0, group, volume);
+    const bool hidden = is_hidden(ranges_m, center_g, group * half_m, volume, k, shape, T_c_g);
+    for (int z = z0; z < z1; ++z) {
+        for (int y = y0; y < y1; ++y) {
+            for (int x = x0; x < x1; ++x) {
+                const int at = (z * layers + y) * n + x;
+                classes[at] = BRICK_HIDDEN;
+                if (hidden) continue;
+                const float4 brick_g = cube_center(x, first_layer + y, z, 1, volume);
+                const BrickView view = view_cube(brick_g, half_m, k, shape, T_c_g);
+                classes[at] = classify_brick(depth_m, sample_weights, ranges_m, view, volume, shape);
+            }
+        }
+    }
 }
 
 /* Raises the flag of every tile whose rays can read a voxel of the given bricks. One brick a work-item. */

@@ -91,9 +91,11 @@ INLINE int8 gather_int8(__global const int* map, const int8 index) {
     return select((int8)(-1), values, index >= 0);
 }
 
+/* Of a map that is whole ints long, on a little-endian device; index 0 where it is negative. Bytes out of ints, as a CPU gathers nothing smaller. */
 INLINE uchar8 gather_uchar8(__global const uchar* map, const int8 index) {
     const int8 i = max(index, 0);
-    return (uchar8)(map[i.s0], map[i.s1], map[i.s2], map[i.s3], map[i.s4], map[i.s5], map[i.s6], map[i.s7]);
+    const int8 four = gather_int8((__global const int*)map, i >> 2);
+    return convert_uchar8((four >> ((i & 3) << 3)) & 0xff);
 }
 
 /* Axial noise of the sensor for a surface that faces it. */

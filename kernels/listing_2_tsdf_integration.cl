@@ -44,9 +44,10 @@ __kernel void integrate(__global const int* slots, __global const int* brick_of_
     const Sight8 sight = see_voxels8(depth_m, brick_of_slot[slot], row, volume, k, shape, T_c_g);
     if (!any(sight.pixel >= 0)) return;
     const float8 measured_m = sight.measured_m, sdf_m = sight.lambda * (measured_m - sight.v_c.z);  // L2:7
-    const int8 pixel_weight = convert_int8(gather_uchar8(sample_weights, sight.pixel));
     // Behind the surface stays unknown, and both sides share one scale (PAPER.md#2).
-    const int8 sampled = (sight.pixel >= 0) & (measured_m > 0.0f) & (pixel_weight > 0) & (sdf_m > -volume.min_truncation_m);  // L2:10
+    const int8 reached = (sight.pixel >= 0) & (measured_m > 0.0f) & (sdf_m > -volume.min_truncation_m);  // L2:10
+    if (!any(reached)) return;
+    const int8 pixel_weight = convert_int8(gather_uchar8(sample_weights, sight.pixel)), sampled = reached & (pixel_weight > 0);
     if (!any(sampled)) return;
     const float8 tsdf = fmin(1.0f, sdf_m / volume.max_truncation_m);  // L2:8 L2:9 L2:11
     __global int* voxels = pool + slot * BRICK_VOXELS + row * BRICK_VOX;

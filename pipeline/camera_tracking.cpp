@@ -167,9 +167,7 @@ AlignmentParams CameraTracking::params(int level) const {
 void CameraTracking::convert(std::span<const std::uint8_t> rgb, IntensityMaps& maps) {
     rgb_.write(rgb);
     const MapShape& shape = levels_[0].shape;
-    const auto pitch = static_cast<std::size_t>(shape.pitch_px),
-               rows = static_cast<std::size_t>(shape.rows_px);
-    brightness_.launch({{pitch, rows, 1}, {TILE_PX, 1, 1}}, rgb_, maps.levels[0], shape);
+    brightness_.launch(eight_pixels_each(shape), rgb_, maps.levels[0], shape);
     for (std::size_t i = 1; i < levels; ++i) {
         half_intensity_.launch(eight_pixels_each(levels_[i].shape), maps.levels[i - 1], maps.levels[i],
                                levels_[i - 1].shape, levels_[i].shape);

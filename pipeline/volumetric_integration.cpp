@@ -4,6 +4,13 @@
 
 namespace touchstone {
 
+namespace {
+
+/// Bricks along a side of the cubes that are classified together.
+constexpr std::size_t brick_group = 4;
+
+}  // namespace
+
 BrickLayers all_layers(const TsdfVolume& volume) { return {0, volume.params().bricks_per_side}; }
 
 BrickLayers layer_share(const TsdfVolume& volume, int index, int parts) {
@@ -70,9 +77,10 @@ void VolumetricIntegration::classify(const TsdfVolume& volume, const Buffer<floa
     const auto side = static_cast<std::size_t>(volume.params().bricks_per_side);
     const auto count = static_cast<std::size_t>(layers.count);
     if (classes_.size() < side * count * side) classes_ = Buffer<std::uint8_t>(*device_, side * count * side);
-    classify_bricks_.launch({{round_up(side, 64), count, side}, {64, 1, 1}}, depth_m, sample_weights,
-                            tile_ranges_m_, classes_, layers.first, volume.params(), intrinsics_, shape_,
-                            T_c_g);
+    const std::size_t groups = ceil_div(side, brick_group);
+    classify_bricks_.launch({{groups, ceil_div(count, brick_group), groups}, {1, 1, 1}}, depth_m,
+                            sample_weights, tile_ranges_m_, classes_, layers.first, layers.count,
+                            static_cast<int>(brick_group), volume.params(), intrinsics_, shape_, T_c_g);
 }
 
 void VolumetricIntegration::select_bricks(TsdfVolume& volume, const BrickLayers& layers) {
