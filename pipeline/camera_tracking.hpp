@@ -25,7 +25,7 @@ struct TrackingLevel {
 
 struct CameraTrackingConfig {
     SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< Kinect v1, Nguyen et al. 2012
-    std::array<TrackingLevel, 3> levels{TrackingLevel{4, 0.06f, 8.0f, 2}, TrackingLevel{6, 0.10f, 16.0f},
+    std::array<TrackingLevel, 3> levels{TrackingLevel{4, 0.06f, 8.0f, 2}, TrackingLevel{6, 0.10f, 16.0f, 2},
                                         TrackingLevel{10, 0.20f, 60.0f}};  ///< fine to coarse
     float max_normal_angle_deg = 60.0f;
     float huber_sigmas = 1.5f;
