@@ -45,7 +45,9 @@ __kernel void find_surface_bricks(__global const int* slots, __global const int*
     if (any(is_near_surface8(voxel, volume, params.band_vox * volume.voxel_m))) flags[brick] = 1;
 }
 
-INLINE float8 gather_channel8(__global const uchar* rgb, const int8 at) { return convert_float8(gather_uchar8(rgb, at)); }
+INLINE float8 gather_channel8(__global const uchar* rgb, const int8 i) {
+    return (float8)(rgb[i.s0], rgb[i.s1], rgb[i.s2], rgb[i.s3], rgb[i.s4], rgb[i.s5], rgb[i.s6], rgb[i.s7]);
+}
 
 /* The old average of one channel counts at most seven times as much as the sample: 8 bits cannot hold smaller steps. */
 INLINE uint8 average_channel8(const uint8 old, const int shift, const float8 sample, const float8 old_weight, const float8 weight) {

@@ -30,7 +30,7 @@ INLINE Points8 rotate_vectors8(const Pose T, const Points8 p) {
 /* K^-1 [u, 1] for the eight pixels that start at (x, y): z = 1. */
 INLINE Points8 pixel_rays8(const Intrinsics k, const int x, const int y) {
     Points8 r;
-    r.x = (lanes8() + ((float)x - k.cx_px)) / k.fx_px;
+    r.x = (lanes8() + ((float)x - k.cx_px)) * (1.0f / k.fx_px);
     r.y = (float8)(((float)y - k.cy_px) / k.fy_px);
     r.z = (float8)(1.0f);
     return r;
@@ -53,16 +53,29 @@ INLINE float sum8(const float8 v) {
     return b.x + b.y;
 }
 
+/* Where camera points are in a picture: between pixels (u, v) and the nearest pixel's column and row, 0 where none is inside. */
+typedef struct Projection8 {
+    float8 inverse_z, u, v;
+    int8 column, row, inside;
+} Projection8;
+
+INLINE Projection8 project8(const Intrinsics k, const MapShape shape, const Points8 p_c) {
+    const int8 ahead = p_c.z > 0.05f;
+    Projection8 r;
+    r.inverse_z = 1.0f / select((float8)(1.0f), p_c.z, ahead);
+    r.u = p_c.x * r.inverse_z * k.fx_px + k.cx_px;
+    r.v = p_c.y * r.inverse_z * k.fy_px + k.cy_px;
+    const float8 u = r.u + 0.5f, v = r.v + 0.5f;
+    r.inside = ahead & (u >= 0.0f) & (v >= 0.0f) & (u < (float)shape.width_px) & (v < (float)shape.height_px);
+    r.column = convert_int8_rtz(select((float8)(0.0f), u, r.inside));
+    r.row = convert_int8_rtz(select((float8)(0.0f), v, r.inside));
+    return r;
+}
+
 /* The nearest pixel of each camera point as an index into a map, or -1 where it falls outside the picture. */
 INLINE int8 project_to_index8(const Intrinsics k, const MapShape shape, const Points8 p_c) {
-    const int8 ahead = p_c.z > 0.05f;
-    const float8 inverse_z = 1.0f / select((float8)(1.0f), p_c.z, ahead);
-    const float8 u = p_c.x * inverse_z * k.fx_px + (k.cx_px + 0.5f);
-    const float8 v = p_c.y * inverse_z * k.fy_px + (k.cy_px + 0.5f);
-    const int8 inside = ahead & (u >= 0.0f) & (v >= 0.0f) & (u < (float)shape.width_px) & (v < (float)shape.height_px);
-    const int8 column = convert_int8_rtz(select((float8)(0.0f), u, inside));
-    const int8 row = convert_int8_rtz(select((float8)(0.0f), v, inside));
-    return select((int8)(-1), row * shape.pitch_px + column, inside);
+    const Projection8 p = project8(k, shape, p_c);
+    return select((int8)(-1), p.row * shape.pitch_px + p.column, p.inside);
 }
 
 /* Values of a map at eight indices; 0 where the index is negative. */
@@ -78,16 +91,11 @@ INLINE int8 gather_int8(__global const int* map, const int8 index) {
     return select((int8)(-1), values, index >= 0);
 }
 
+/* Of a map that is whole ints long, on a little-endian device; index 0 where it is negative. Bytes out of ints, as a CPU gathers nothing smaller. */
 INLINE uchar8 gather_uchar8(__global const uchar* map, const int8 index) {
     const int8 i = max(index, 0);
-    return (uchar8)(map[i.s0], map[i.s1], map[i.s2], map[i.s3], map[i.s4], map[i.s5], map[i.s6], map[i.s7]);
-}
-
-/* The same of a whole map of bytes (a multiple of four of them), by the words that they are in; 0 where the index is negative. */
-INLINE int8 gather_mask8(__global const uchar* map, const int8 index) {
-    const int8 i = max(index, 0);
-    const int8 word = gather_int8((__global const int*)map, i >> 2);
-    return select((int8)(0), (word >> ((i & 3) << 3)) & 0xff, index >= 0);
+    const int8 four = gather_int8((__global const int*)map, i >> 2);
+    return convert_uchar8((four >> ((i & 3) << 3)) & 0xff);
 }
 
 /* Axial noise of the sensor for a surface that faces it. */

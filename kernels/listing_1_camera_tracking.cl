@@ -33,20 +33,18 @@ __kernel void leave_out(__global const float* depth_m, __global const uchar* mas
     vstore8(select((float8)(0.0f), vload8(0, depth_m + at), kept), 0, result_m + at);
 }
 
-/* Adds w J^T (J, r) of eight pixels, J = (p x d, d) with p from the centre of the twist, and their statistics. */
+/* Adds w J^T (J, r) of eight pixels, J = (p x d, d) with p from the centre of the twist. */
 INLINE void add_rows8(float8* total, const Points8 p, const Points8 d, const float8 r, const float8 w) {
     const float8 j[6] = {p.y * d.z - p.z * d.y, p.z * d.x - p.x * d.z, p.x * d.y - p.y * d.x, d.x, d.y, d.z};
     int k = 0;
+    // Unrolled, the sums stay in registers.
+#pragma unroll
     for (int a = 0; a < 6; ++a) {
         const float8 wj = w * j[a];
+#pragma unroll
         for (int b = a; b < 6; ++b) total[k++] += wj * j[b];
         total[ALIGNMENT_B + a] += wj * r;
     }
-    const float8 counts = select((float8)(0.0f), (float8)(1.0f), w > 0.0f);
-    total[ALIGNMENT_STATISTICS] += w;
-    total[ALIGNMENT_STATISTICS + 1] += w * r * r;
-    total[ALIGNMENT_STATISTICS + 2] += counts;
-    total[ALIGNMENT_STATISTICS + 5] += counts * r * r;
 }
 
 INLINE Points8 from_centre8(const Points8 v, const float4 centre) {
@@ -57,68 +55,28 @@ INLINE Points8 from_centre8(const Points8 v, const float4 centre) {
     return p;
 }
 
-/* One row of pixels a work-item, columns first_x to end_x (multiples of 8) of it; the global id is the row. Live: depths and normals in the camera frame c. */
-__kernel void sum_alignment(__global const float* live_m, __global const float* live_normals_c,
-                            __global const float* model_m, __global const float* model_normals_p, __global float* sums, const MapShape live_shape,
-                            const Intrinsics live_k, const MapShape model_shape, const Intrinsics model_k, const Pose T_p_c,
-                            const AlignmentParams params, const int first_x, const int end_x) {
-    const int y = (int)get_global_id(0);
-    const int live_plane = live_shape.pitch_px * live_shape.rows_px, model_plane = model_shape.pitch_px * model_shape.rows_px;
-    float8 total[ALIGNMENT_SUMS];
-    for (int i = 0; i < ALIGNMENT_SUMS; ++i) total[i] = (float8)(0.0f);
-    for (int x = first_x; x < end_x; x += 8) {
-        const int at = y * live_shape.pitch_px + x;
-        const float8 live = vload8(0, live_m + at);
-        const int8 measured = live > 0.0f;
-        if (!any(measured)) continue;
-        const Points8 v = transform_points8(T_p_c, back_project8(live_k, x, y, live));
-        const int8 pixel = select((int8)(-1), project_to_index8(model_k, model_shape, v), measured);
-        const float8 model = gather8(model_m, pixel);
-        const int8 compared = model > 0.0f;
-        total[ALIGNMENT_STATISTICS + 4] += select((float8)(0.0f), (float8)(1.0f), measured);
-        if (!any(compared)) continue;
-        Points8 n, n_live;
-        n.x = gather8(model_normals_p, pixel);
-        n.y = gather8(model_normals_p + model_plane, pixel);
-        n.z = gather8(model_normals_p + 2 * model_plane, pixel);
-        n_live.x = vload8(0, live_normals_c + at);
-        n_live.y = vload8(0, live_normals_c + live_plane + at);
-        n_live.z = vload8(0, live_normals_c + 2 * live_plane + at);
-        n_live = rotate_vectors8(T_p_c, n_live);
-        // The model's vertex: the pixel that was hit, at the model's depth.
-        const int8 row = pixel / model_shape.pitch_px;
-        Points8 d;
-        d.x = (convert_float8(pixel - row * model_shape.pitch_px) - model_k.cx_px) / model_k.fx_px * model - v.x;
-        d.y = (convert_float8(row) - model_k.cy_px) / model_k.fy_px * model - v.y;
-        d.z = model - v.z;
-        const float8 r = dot8(n, d);
-        const float8 z = select((float8)(1.0f), v.z, compared);
-        const float8 cos_theta = dot8(n, v) * rsqrt(select((float8)(1.0f), dot8(v, v), compared));
-        const float8 cos2 = fmax(cos_theta * cos_theta, 0.01f);
-        const float8 sigma = sigma_z8(params.noise, z) + params.noise.grazing * rsqrt(z) * 2.0f * (1.0f - cos2) / cos2;
-        const float8 sigmas = fabs(r) / sigma;
-        const int8 pair = compared & (dot8(d, d) < params.max_distance_m * params.max_distance_m) &
-                          (dot8(n, n_live) > params.min_normal_cos) & (sigmas < params.cutoff_sigmas);
-        const float8 scale = params.reference_sigma_m / sigma;
-        const float8 relative = sigmas / params.cutoff_sigmas, tukey = 1.0f - relative * relative;
-        const float8 huber = fmin(1.0f, params.huber_sigmas / fmax(sigmas, 1e-6f));
-        const float8 w = select((float8)(0.0f), scale * scale * huber * tukey * tukey, pair);
-        total[ALIGNMENT_STATISTICS + 3] += select((float8)(0.0f), (float8)(1.0f), compared);
-        total[ALIGNMENT_STATISTICS + 6] += select((float8)(0.0f), (float8)(1.0f), pair & (sigmas < 2.0f));
-        add_rows8(total, from_centre8(v, params.centre_p), n, r, w);
-    }
-    for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[y * ALIGNMENT_SUMS + i] = sum8(total[i]);
+/* Of eight pixels, 24 bytes. */
+INLINE float8 brightness_of8(const uchar16 a, const uchar8 b) {
+    const uchar8 red = (uchar8)(a.s0, a.s3, a.s6, a.s9, a.sc, a.sf, b.s2, b.s5);
+    const uchar8 green = (uchar8)(a.s1, a.s4, a.s7, a.sa, a.sd, b.s0, b.s3, b.s6);
+    const uchar8 blue = (uchar8)(a.s2, a.s5, a.s8, a.sb, a.se, b.s1, b.s4, b.s7);
+    return (0.299f * convert_float8(red) + 0.587f * convert_float8(green) + 0.114f * convert_float8(blue)) * (1.0f / 255.0f);
 }
 
-/* Brightness 0..1 of 8-bit red, green, blue (Rec. 601), row-major without padding. One pixel a work-item. */
+/* Brightness 0..1 of 8-bit red, green, blue (Rec. 601), row-major without padding; 0 beyond the picture. Eight pixels a work-item. */
 __kernel void brightness(__global const uchar* rgb, __global float* intensity, const MapShape shape) {
-    const int x = (int)get_global_id(0), y = (int)get_global_id(1);
-    float value = 0.0f;
-    if (x < shape.width_px && y < shape.height_px) {
-        __global const uchar* p = rgb + 3 * (y * shape.width_px + x);
-        value = (0.299f * (float)p[0] + 0.587f * (float)p[1] + 0.114f * (float)p[2]) * (1.0f / 255.0f);
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
+    const int pixels = y < shape.height_px ? clamp(shape.width_px - x, 0, 8) : 0;
+    __global const uchar* p = rgb + 3 * (y * shape.width_px + x);
+    float8 value = (float8)(0.0f);
+    if (pixels == 8) {
+        value = brightness_of8(vload16(0, p), vload8(0, p + 16));
+    } else if (pixels > 0) {
+        uchar bytes[24] = {0};
+        for (int i = 0; i < 3 * pixels; ++i) bytes[i] = p[i];
+        value = brightness_of8(vload16(0, bytes), vload8(0, bytes + 16));
     }
-    intensity[y * shape.pitch_px + x] = value;
+    vstore8(value, 0, intensity + y * shape.pitch_px + x);
 }
 
 /* Mean of 2x2 pixels. Eight pixels a work-item. */
@@ -134,52 +92,108 @@ __kernel void half_intensity(__global const float* source, __global float* half_
     vstore8(result, 0, half_map + y * half_shape.pitch_px + x);
 }
 
-/* The same sums for brightness: what the live pixel shows against what the prediction's camera saw of that point when
- * it was there (level `level` of both pyramids; the prediction's depth map is the full one). One row a work-item. */
-__kernel void sum_intensity(__global const float* live_m, __global const float* live_intensity,
-                            __global const float* model_m, __global const float* model_intensity,
-                            __global float* sums, const MapShape live_shape, const Intrinsics live_k,
-                            const MapShape model_shape, const Intrinsics model_k, const Pose T_p_c,
-                            const AlignmentParams params, const int level, const int first_x, const int end_x) {
-    const int y = (int)get_global_id(0);
-    const float scale = 1.0f / (float)(1 << level);
+INLINE float8 count8(const int8 mask) { return select((float8)(0.0f), (float8)(1.0f), mask); }
+
+/* A level of a picture: scale is 1 at the finest, a half at the next. */
+typedef struct Brightness {
+    __global const float* live;
+    __global const float* model;
+    float scale;
+} Brightness;
+
+/* Adds the rows of points v, at (u, v_px) of the model's finest picture: what the live pixels show against what the
+ * prediction's camera saw of those points when it was there. */
+INLINE void add_brightness8(float8* total, const Brightness brightness, const int at, const MapShape shape, const Intrinsics k,
+                            const AlignmentParams params, const Points8 v, const float8 inverse_z, const float8 u,
+                            const float8 v_px, const int8 near) {
+    const float scale = brightness.scale;
+    const float8 column = (u + 0.5f) * scale - 0.5f, row = (v_px + 0.5f) * scale - 0.5f;
+    const int8 pair = near & (column >= 0.0f) & (row >= 0.0f) & (column < (float)(shape.width_px - 1)) &
+                      (row < (float)(shape.height_px - 1));
+    if (!any(pair)) return;
+    const float8 x = select((float8)(0.0f), column, pair), y = select((float8)(0.0f), row, pair);
+    const float8 left = floor(x), top = floor(y), ax = x - left, ay = y - top;
+    const int8 corner = convert_int8_rtz(top) * shape.pitch_px + convert_int8_rtz(left);
+    const int8 one = select((int8)(0), (int8)(1), pair), below = corner + shape.pitch_px * one;
+    const float8 i00 = gather8(brightness.model, corner), i10 = gather8(brightness.model, corner + one);
+    const float8 i01 = gather8(brightness.model, below), i11 = gather8(brightness.model, below + one);
+    const float8 r = mix(mix(i00, i10, ax), mix(i01, i11, ax), ay) - vload8(0, brightness.live + at);
+    const float8 du = mix(i10 - i00, i11 - i01, ay) * (scale * k.fx_px) * inverse_z;
+    const float8 dv = mix(i01 - i00, i11 - i10, ax) * (scale * k.fy_px) * inverse_z;
+    Points8 d;
+    d.x = -du;
+    d.y = -dv;
+    d.z = (du * v.x + dv * v.y) * inverse_z;
+    const float least_weight = params.reference_sigma_m / params.intensity_sigma;
+    const float8 huber = fmin(1.0f, (params.huber_sigmas * params.intensity_sigma) / fmax(fabs(r), 1e-6f));
+    const float8 w = select((float8)(0.0f), least_weight * least_weight * huber, pair);
+    add_rows8(total, from_centre8(v, params.centre_p), d, r, w);
+}
+
+/* One row of pixels a work-item, columns first_x to end_x (multiples of 8) of it: row row_step times the global id; at the
+ * global id of sums. Live: depths and normals in the camera frame c. With brightness, rows of both join in A and b; the
+ * statistics are of the depths alone. */
+__kernel void sum_alignment(__global const float* live_m, __global const float* live_normals_c, __global const float* model_m,
+                            __global const float* model_normals_p, __global const float* live_intensity,
+                            __global const float* model_intensity, __global float* sums, const MapShape live_shape,
+                            const Intrinsics live_k, const MapShape model_shape, const Intrinsics model_k, const Pose T_p_c,
+                            const AlignmentParams params, const int level, const int with_brightness, const int row_step,
+                            const int first_x, const int end_x) {
+    const int y = (int)get_global_id(0) * row_step;
+    const int live_plane = live_shape.pitch_px * live_shape.rows_px, model_plane = model_shape.pitch_px * model_shape.rows_px;
+    const Brightness brightness = {live_intensity, model_intensity, 1.0f / (float)(1 << level)};
+    const float inverse_fx = 1.0f / model_k.fx_px, inverse_fy = 1.0f / model_k.fy_px, inverse_cutoff = 1.0f / params.cutoff_sigmas;
     float8 total[ALIGNMENT_SUMS];
+#pragma unroll
     for (int i = 0; i < ALIGNMENT_SUMS; ++i) total[i] = (float8)(0.0f);
     for (int x = first_x; x < end_x; x += 8) {
         const int at = y * live_shape.pitch_px + x;
         const float8 live = vload8(0, live_m + at);
         const int8 measured = live > 0.0f;
         if (!any(measured)) continue;
+        total[ALIGNMENT_STATISTICS + 4] += count8(measured);
         const Points8 v = transform_points8(T_p_c, back_project8(live_k, x, y, live));
-        const int8 pixel = select((int8)(-1), project_to_index8(model_k, model_shape, v), measured);
+        const Projection8 seen = project8(model_k, model_shape, v);
+        const int8 pixel = select((int8)(-1), seen.row * model_shape.pitch_px + seen.column, seen.inside & measured);
         const float8 model = gather8(model_m, pixel);
-        int8 pair = (model > 0.0f) & (fabs(model - v.z) < params.max_distance_m);
-        const float8 inverse_z = 1.0f / select((float8)(1.0f), v.z, pair);
-        // The point in the level's picture, and the four pixels around it.
-        const float8 column = (v.x * inverse_z * model_k.fx_px + model_k.cx_px + 0.5f) * scale - 0.5f;
-        const float8 row = (v.y * inverse_z * model_k.fy_px + model_k.cy_px + 0.5f) * scale - 0.5f;
-        pair &= (column >= 0.0f) & (row >= 0.0f) & (column < (float)(live_shape.width_px - 1)) &
-                (row < (float)(live_shape.height_px - 1));
-        if (!any(pair)) continue;
-        const float8 left = floor(select((float8)(0.0f), column, pair)), top = floor(select((float8)(0.0f), row, pair));
-        const float8 ax = select((float8)(0.0f), column, pair) - left, ay = select((float8)(0.0f), row, pair) - top;
-        const int8 corner = select((int8)(-1), convert_int8_rtz(top) * live_shape.pitch_px + convert_int8_rtz(left), pair);
-        const int8 below = select((int8)(-1), corner + live_shape.pitch_px, pair);
-        const int8 one = select((int8)(0), (int8)(1), pair);
-        const float8 i00 = gather8(model_intensity, corner), i10 = gather8(model_intensity, corner + one);
-        const float8 i01 = gather8(model_intensity, below), i11 = gather8(model_intensity, below + one);
-        const float8 r = mix(mix(i00, i10, ax), mix(i01, i11, ax), ay) - vload8(0, live_intensity + at);
-        const float8 du = mix(i10 - i00, i11 - i01, ay) * (scale * model_k.fx_px) * inverse_z;
-        const float8 dv = mix(i01 - i00, i11 - i10, ax) * (scale * model_k.fy_px) * inverse_z;
+        const int8 compared = model > 0.0f;
+        if (!any(compared)) continue;
+        Points8 n, n_live;
+        n.x = gather8(model_normals_p, pixel);
+        n.y = gather8(model_normals_p + model_plane, pixel);
+        n.z = gather8(model_normals_p + 2 * model_plane, pixel);
+        n_live.x = vload8(0, live_normals_c + at);
+        n_live.y = vload8(0, live_normals_c + live_plane + at);
+        n_live.z = vload8(0, live_normals_c + 2 * live_plane + at);
+        n_live = rotate_vectors8(T_p_c, n_live);
+        // The model's vertex: the pixel that was hit, at the model's depth.
         Points8 d;
-        d.x = -du;
-        d.y = -dv;
-        d.z = (du * v.x + dv * v.y) * inverse_z;
-        const float8 sigmas = fabs(r) / params.intensity_sigma;
-        const float huber_weight = params.reference_sigma_m / params.intensity_sigma;
+        d.x = (convert_float8(seen.column) - model_k.cx_px) * inverse_fx * model - v.x;
+        d.y = (convert_float8(seen.row) - model_k.cy_px) * inverse_fy * model - v.y;
+        d.z = model - v.z;
+        const float8 r = dot8(n, d);
+        const float8 n_v = dot8(n, v), v_v = select((float8)(1.0f), dot8(v, v), compared);
+        const float8 tan2 = v_v / fmax(n_v * n_v, 0.01f * v_v) - 1.0f;
+        const float8 sigma = sigma_z8(params.noise, v.z) + (2.0f * params.noise.grazing) * sqrt(seen.inverse_z) * tan2;
+        const float8 inverse_sigma = 1.0f / sigma, sigmas = fabs(r) * inverse_sigma;
+        const int8 pair = compared & (dot8(d, d) < params.max_distance_m * params.max_distance_m) &
+                          (dot8(n, n_live) > params.min_normal_cos) & (sigmas < params.cutoff_sigmas);
+        const float8 scale = params.reference_sigma_m * inverse_sigma;
+        const float8 relative = sigmas * inverse_cutoff, tukey = 1.0f - relative * relative;
         const float8 huber = fmin(1.0f, params.huber_sigmas / fmax(sigmas, 1e-6f));
-        const float8 w = select((float8)(0.0f), huber_weight * huber_weight * huber, pair);
-        add_rows8(total, from_centre8(v, params.centre_p), d, r, w);
+        const float8 w = select((float8)(0.0f), scale * scale * huber * tukey * tukey, pair), counts = count8(w > 0.0f);
+        total[ALIGNMENT_STATISTICS] += w;
+        total[ALIGNMENT_STATISTICS + 1] += w * r * r;
+        total[ALIGNMENT_STATISTICS + 2] += counts;
+        total[ALIGNMENT_STATISTICS + 3] += count8(compared);
+        total[ALIGNMENT_STATISTICS + 5] += counts * r * r;
+        total[ALIGNMENT_STATISTICS + 6] += count8(pair & (sigmas < 2.0f));
+        add_rows8(total, from_centre8(v, params.centre_p), n, r, w);
+        if (with_brightness) {
+            const int8 near = compared & (fabs(d.z) < params.max_distance_m);
+            add_brightness8(total, brightness, at, live_shape, model_k, params, v, seen.inverse_z, seen.u, seen.v, near);
+        }
     }
-    for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[y * ALIGNMENT_SUMS + i] = sum8(total[i]);
+#pragma unroll
+    for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[(int)get_global_id(0) * ALIGNMENT_SUMS + i] = sum8(total[i]);
 }

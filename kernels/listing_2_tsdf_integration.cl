@@ -63,7 +63,7 @@ __kernel void integrate(__global const int* slots, __global const int* brick_of_
         // Behind the surface stays unknown, and both sides share one scale (PAPER.md#2).
         const int8 reached = (measured_m > 0.0f) & (sdf_m > -volume.min_truncation_m);  // L2:10
         if (!any(reached)) continue;
-        const int8 pixel_weight = gather_mask8(sample_weights, sight.pixel);
+        const int8 pixel_weight = convert_int8(gather_uchar8(sample_weights, sight.pixel));
         const int8 sampled = reached & (pixel_weight > 0);
         if (!any(sampled)) continue;
         const float8 tsdf = fmin(1.0f, sdf_m * to_tsdf);  // L2:8 L2:9 L2:11
@@ -123,7 +123,7 @@ __kernel void integrate_moving(__global const int* brick_of_slot, __global int* 
     const int8 old = vload8(0, voxels), stored_weight = voxel_weight8(old);
     const Points8 first = first_row8(brick_of_slot[slot], row >> 3, volume, T_c_g);
     const Sight8 sight = see_voxels8(depth_m, first, row & 7, volume, k, shape, T_c_g);
-    const int8 pixel_weight = gather_mask8(sample_weights, sight.pixel);
+    const int8 pixel_weight = convert_int8(gather_uchar8(sample_weights, sight.pixel));
     // A depth between four pixels differs from the nearest pixel's by less than slack_m along the ray.
     const float8 slack_m = sight.lambda * (ONE_SURFACE_PER_M * sight.measured_m);
     const float8 nearest_sdf_m = sight.lambda * (sight.measured_m - sight.v_c.z);

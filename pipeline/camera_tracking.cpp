@@ -18,6 +18,8 @@ constexpr float least_spread_m = 0.01f;
 /// A later guess must be: what the data do not constrain stays as in the first one, not as noise would have
 /// it.
 constexpr double clearly_better = 0.95;
+/// Shares of a picture's pixels are told from a part of its rows.
+constexpr int judged_row_step = 4;
 
 /// Pixel x of the half-sized picture is at 2 x + 0.5 of the source.
 Intrinsics half_sized(const Intrinsics& k) {
@@ -106,7 +108,6 @@ CameraTracking::CameraTracking(const Device& device, const CameraTrackingConfig&
       sum_alignment_(program_.kernel("sum_alignment")),
       brightness_(program_.kernel("brightness")),
       half_intensity_(program_.kernel("half_intensity")),
-      sum_intensity_(program_.kernel("sum_intensity")),
       normal_map_(conversion_.kernel("normal_map")),
       sums_(device, static_cast<std::size_t>(make_map_shape(intrinsics).rows_px) * ALIGNMENT_SUMS),
       rgb_(device, 3 * static_cast<std::size_t>(intrinsics.width_px) *
@@ -166,9 +167,7 @@ AlignmentParams CameraTracking::params(int level) const {
 void CameraTracking::convert(std::span<const std::uint8_t> rgb, IntensityMaps& maps) {
     rgb_.write(rgb);
     const MapShape& shape = levels_[0].shape;
-    const auto pitch = static_cast<std::size_t>(shape.pitch_px),
-               rows = static_cast<std::size_t>(shape.rows_px);
-    brightness_.launch({{pitch, rows, 1}, {TILE_PX, 1, 1}}, rgb_, maps.levels[0], shape);
+    brightness_.launch(eight_pixels_each(shape), rgb_, maps.levels[0], shape);
     for (std::size_t i = 1; i < levels; ++i) {
         half_intensity_.launch(eight_pixels_each(levels_[i].shape), maps.levels[i - 1], maps.levels[i],
                                levels_[i - 1].shape, levels_[i].shape);
@@ -179,16 +178,16 @@ const Buffer<float>& CameraTracking::depth_m(int level) const {
     return level == 0 ? *finest_depth_m_ : levels_[static_cast<std::size_t>(level)].depth_m;
 }
 
-LaunchSize CameraTracking::one_row_each(int level) const {
+LaunchSize CameraTracking::one_row_each(int level, int row_step) const {
     const Level& at = levels_[static_cast<std::size_t>(level)];
-    const int rows = std::min(at.region.y1, at.shape.height_px) - at.region.y0;
-    return {
-        {static_cast<std::size_t>(rows), 1, 1}, {1, 1, 1}, {static_cast<std::size_t>(at.region.y0), 0, 0}};
+    const auto step = static_cast<std::size_t>(row_step),
+               first = static_cast<std::size_t>(at.region.y0) / step;
+    const auto end = static_cast<std::size_t>(std::min(at.region.y1, at.shape.height_px));
+    return {{ceil_div(end, step) - first, 1, 1}, {1, 1, 1}, {first, 0, 0}};
 }
 
-AlignmentSums CameraTracking::read_sums(int level) const {
+AlignmentSums CameraTracking::read_sums(const LaunchSize& size) const {
     AlignmentSums sums;
-    const LaunchSize size = one_row_each(level);
     const std::size_t rows = size.global[0], first = size.first[0];
     const auto mapped = sums_.map_read((first + rows) * ALIGNMENT_SUMS);
     sums.b_of_strips.assign(strips, Vector6d::Zero());
@@ -201,22 +200,18 @@ AlignmentSums CameraTracking::read_sums(int level) const {
     return sums;
 }
 
-AlignmentSums CameraTracking::sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level) {
-    const Level& at = levels_[static_cast<std::size_t>(level)];
-    sum_alignment_.launch(one_row_each(level), depth_m(level), level == 0 ? *finest_normals_c_ : at.normals_c,
-                          model.depth_m, model.normals_c, sums_, at.shape, at.intrinsics, model.shape,
-                          intrinsics_, to_pose(T_p_c), params(level), at.region.x0, at.region.x1);
-    return read_sums(level);
-}
-
-AlignmentSums CameraTracking::sum_intensity(const SurfacePrediction& model, const IntensityPair& intensity,
-                                            const RigidTransform& T_p_c, int level) {
+AlignmentSums CameraTracking::sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level,
+                                  const IntensityPair* intensity, int row_step) {
     const auto index = static_cast<std::size_t>(level);
     const Level& at = levels_[index];
-    sum_intensity_.launch(one_row_each(level), depth_m(level), intensity.live.levels[index], model.depth_m,
-                          intensity.model.levels[index], sums_, at.shape, at.intrinsics, model.shape,
-                          intrinsics_, to_pose(T_p_c), params(level), level, at.region.x0, at.region.x1);
-    return read_sums(level);
+    const Buffer<float>& depth = depth_m(level);
+    const LaunchSize size = one_row_each(level, row_step);
+    sum_alignment_.launch(size, depth, level == 0 ? *finest_normals_c_ : at.normals_c, model.depth_m,
+                          model.normals_c, intensity != nullptr ? intensity->live.levels[index] : depth,
+                          intensity != nullptr ? intensity->model.levels[index] : depth, sums_, at.shape,
+                          at.intrinsics, model.shape, intrinsics_, to_pose(T_p_c), params(level), level,
+                          intensity != nullptr ? 1 : 0, row_step, at.region.x0, at.region.x1);
+    return read_sums(size);
 }
 
 RigidTransform CameraTracking::best_guess(const SurfacePrediction& model,
@@ -237,11 +232,8 @@ void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair*
                             TrackingResult& result) {
     const double lever_m = static_cast<double>(extent_.spread_m);
     for (int i = 0; i < config_.levels[static_cast<std::size_t>(level)].iterations; ++i) {
-        AlignmentSums sums = sum(model, result.T_p_c, level);
-        if (intensity != nullptr) {
-            const AlignmentSums of_intensity = sum_intensity(model, *intensity, result.T_p_c, level);
-            sums.add_rows(of_intensity);
-        }
+        const AlignmentSums sums = sum(model, result.T_p_c, level, intensity,
+                                       config_.levels[static_cast<std::size_t>(level)].row_step);
         ++result.iterations;
         const TwistSolution solution = solve_twist(sums, lever_m, static_cast<double>(min_eigenvalue_));
         result.evidence = step_evidence(sums, extent_.centre_c_m);
@@ -264,13 +256,16 @@ TrackingResult CameraTracking::track(const LiveMaps& live, const SurfacePredicti
     result.T_p_c = start;
     for (int level = static_cast<int>(levels) - 1; level >= 0; --level)
         refine(model, intensity, level, result);
-    AlignmentSums sums = sum(model, result.T_p_c, 0);
-    if (sum(model, start, 0).close > sums.close) {
+    const auto judged = [&](const RigidTransform& T_p_c) {
+        return sum(model, T_p_c, 0, nullptr, judged_row_step);
+    };
+    AlignmentSums sums = judged(result.T_p_c);
+    if (judged(start).close > sums.close) {
         // What moves by itself has led the coarse levels astray.
         TrackingResult direct = result;
         direct.T_p_c = start;
         refine(model, intensity, 0, direct);
-        const AlignmentSums of_direct = sum(model, direct.T_p_c, 0);
+        const AlignmentSums of_direct = judged(direct.T_p_c);
         if (of_direct.close > sums.close) {
             result = direct;
             sums = of_direct;

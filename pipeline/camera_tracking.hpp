@@ -20,11 +20,12 @@ struct TrackingLevel {
     int iterations = 4;
     float max_distance_m = 0.1f;  ///< between the two vertices of a pair
     float cutoff_sigmas = 12.0f;  ///< of the residual
+    int row_step = 1;             ///< one row of pixels in so many is aligned
 };
 
 struct CameraTrackingConfig {
     SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< Kinect v1, Nguyen et al. 2012
-    std::array<TrackingLevel, 3> levels{TrackingLevel{4, 0.06f, 8.0f}, TrackingLevel{6, 0.10f, 16.0f},
+    std::array<TrackingLevel, 3> levels{TrackingLevel{4, 0.06f, 8.0f, 2}, TrackingLevel{6, 0.10f, 16.0f, 2},
                                         TrackingLevel{10, 0.20f, 60.0f}};  ///< fine to coarse
     float max_normal_angle_deg = 60.0f;
     float huber_sigmas = 1.5f;
@@ -103,11 +104,10 @@ class CameraTracking {
 
     /// Makes the levels that sum() reads; track() does it itself.
     void prepare(const LiveMaps& live, const LivePixels& pixels = {});
-    /// The sums of one evaluation at a level, 0 = finest, of the frame last prepared.
-    AlignmentSums sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level);
-    /// The same of brightness.
-    AlignmentSums sum_intensity(const SurfacePrediction& model, const IntensityPair& intensity,
-                                const RigidTransform& T_p_c, int level);
+    /// The sums of one evaluation at a level, 0 = finest, of the frame last prepared, over one row in
+    /// `row_step`; A and b with those of brightness where there is `intensity`.
+    AlignmentSums sum(const SurfacePrediction& model, const RigidTransform& T_p_c, int level,
+                      const IntensityPair* intensity = nullptr, int row_step = 1);
 
   private:
     struct Level {
@@ -121,8 +121,8 @@ class CameraTracking {
     void refine(const SurfacePrediction& model, const IntensityPair* intensity, int level,
                 TrackingResult& result);
     const Buffer<float>& depth_m(int level) const;
-    LaunchSize one_row_each(int level) const;
-    AlignmentSums read_sums(int level) const;
+    LaunchSize one_row_each(int level, int row_step) const;
+    AlignmentSums read_sums(const LaunchSize& size) const;
     AlignmentParams params(int level) const;
 
     CameraTrackingConfig config_;
@@ -131,8 +131,7 @@ class CameraTracking {
     const Buffer<float>* finest_depth_m_ = nullptr;
     const Buffer<float>* finest_normals_c_ = nullptr;
     Program program_, conversion_;
-    Kernel half_sample_, leave_out_, sum_alignment_, brightness_, half_intensity_, sum_intensity_,
-        normal_map_;
+    Kernel half_sample_, leave_out_, sum_alignment_, brightness_, half_intensity_, normal_map_;
     Buffer<float> sums_;
     Buffer<std::uint8_t> rgb_;
     ViewExtent extent_;  // of the live view

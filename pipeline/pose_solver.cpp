@@ -5,12 +5,6 @@
 
 namespace touchstone {
 
-void AlignmentSums::add_rows(const AlignmentSums& other) {
-    A += other.A;
-    b += other.b;
-    for (std::size_t i = 0; i < b_of_strips.size(); ++i) b_of_strips[i] += other.b_of_strips[i];
-}
-
 StepEvidence step_evidence(const AlignmentSums& sums, const Eigen::Vector3f& centre_m) {
     StepEvidence evidence{sums.A, Matrix6d::Zero(), centre_m};
     const auto strips = static_cast<double>(sums.b_of_strips.size());

@@ -25,9 +25,6 @@ struct AlignmentSums {
     double measured = 0.0;          ///< live pixels
     /// b of strips of rows that are so high that their noise is independent; their sum is b.
     std::vector<Vector6d> b_of_strips;
-
-    /// Adds the rows of another kind of measurement of the same picture; the statistics stay.
-    void add_rows(const AlignmentSums& other);
 };
 
 /// How well a step is known: its covariance is A^-1 scatter A^-1. Neighbouring pixels share their noise, so

@@ -22,7 +22,7 @@ constexpr std::array<TrackingLevel, 3> object_levels{
 
 /// Something has moved or begins to: what does not fit well must not pull at all.
 constexpr std::array<TrackingLevel, 3> careful_levels{
-    TrackingLevel{6, 0.03f, 3.5f}, TrackingLevel{6, 0.05f, 4.0f}, TrackingLevel{8, 0.08f, 6.0f}};
+    TrackingLevel{6, 0.03f, 3.5f, 2}, TrackingLevel{6, 0.05f, 4.0f, 2}, TrackingLevel{8, 0.08f, 6.0f}};
 constexpr std::array<TrackingLevel, 3> careful_object_levels{
     TrackingLevel{6, 0.006f, 3.0f}, TrackingLevel{6, 0.01f, 3.5f}, TrackingLevel{8, 0.015f, 4.0f}};
 

@@ -159,18 +159,6 @@ TEST(PoseSolver, TheTwistOfATransformIsTheOneItWasMadeOf) {
     EXPECT_TRUE(twist_of(RigidTransform::Identity(), centre).isZero(0.0));
 }
 
-TEST(PoseSolver, RowsOfAnotherKindAreAddedAndStatisticsStay) {
-    AlignmentSums sums = sums_of(corner_samples(), some_twist());
-    sums.b_of_strips = {0.25 * sums.b, 0.75 * sums.b};
-    AlignmentSums both = sums;
-    both.add_rows(sums);
-    EXPECT_TRUE(both.A.isApprox(2.0 * sums.A));
-    EXPECT_TRUE(both.b.isApprox(2.0 * sums.b));
-    EXPECT_TRUE(both.b_of_strips[1].isApprox(1.5 * sums.b));
-    EXPECT_EQ(both.pairs, sums.pairs);
-    EXPECT_EQ(both.weight, sums.weight);
-}
-
 TEST(PoseSolver, ManyProductsStayRotations) {
     RigidTransform T = RigidTransform::Identity();
     const RigidTransform step = twist_about(0.5 * some_twist(), Eigen::Vector3f::Zero());
