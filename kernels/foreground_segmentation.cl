@@ -36,7 +36,12 @@ __kernel void mark_candidates(__global const uchar* codes, __global const float*
                               __global const float* fallback_m, __global uchar* members, const MapShape shape,
                               const CandidateParams params) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;
-    const int8 code = convert_int8(vload8(0, codes + at));
+    const uchar8 packed = vload8(0, codes + at);
+    if (as_ulong(packed > (uchar8)(ASSOCIATION_NO_LIVE_DEPTH)) == 0) {
+        vstore8((uchar8)(MEMBER_NONE), 0, members + at);
+        return;
+    }
+    const int8 code = convert_int8(packed);
     const int8 in_front = code == ASSOCIATION_IN_FRONT, no_model = code == ASSOCIATION_NO_MODEL;
     int8 member = select((int8)(MEMBER_NONE), (int8)(MEMBER_GROWTH), code == ASSOCIATION_SLIGHTLY_IN_FRONT);
     if (any(in_front | no_model)) {
@@ -73,7 +78,7 @@ __kernel void keep_supported_seeds(__global const uchar* members, __global const
                                    const MapShape shape, const int least_held) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), at = y * shape.pitch_px + x;
     const uchar8 member = vload8(0, members + at), before = vload8(0, held + at);
-    if (!any(convert_char8(member > (uchar8)(MEMBER_GROWTH)))) {
+    if (as_ulong(member > (uchar8)(MEMBER_GROWTH)) == 0) {
         vstore8(with_expected8(member, before, (uchar)least_held), 0, supported + at);
         return;
     }
@@ -103,7 +108,7 @@ __kernel void widen_rows(__global const uchar* mask, __global uchar* wide, const
     const uchar8 a = load_bytes_or_zero8(mask + at, x - 8, shape), b = vload8(0, mask + at + x);
     const uchar8 c = load_bytes_or_zero8(mask + at, x + 8, shape);
     uchar8 result = (uchar8)(0);
-    if (any(convert_char8((a | b | c) >> (uchar8)(7)) != (char8)(0))) {
+    if (as_ulong(a | b | c) != 0) {
         vstore8(a, 0, lanes);
         vstore8(b, 1, lanes);
         vstore8(c, 2, lanes);
@@ -116,21 +121,41 @@ INLINE uchar8 rows_since8(const uchar8 distance, const uchar8 mask) {
     return select(add_sat(distance, (uchar8)(1)), (uchar8)(0), mask != (uchar8)(0));
 }
 
+/* Where a pixel is not masked and the model has no surface, fallback_m follows the live depth. */
+INLINE void learn_fallback8(__global const float* live_m, __global const float* model_m, __global float* fallback_m,
+                            const char8 masked) {
+    const int8 wanted = (vload8(0, model_m) <= 0.0f) & ~convert_int8(masked);
+    if (!any(wanted)) return;
+    const float8 live = vload8(0, live_m), old = vload8(0, fallback_m);
+    const float8 average = select(live, old + (live - old) * 0.0625f, old > 0.0f);
+    vstore8(select(old, average, wanted & (live > 0.0f)), 0, fallback_m);
+}
+
 /* The mask of the background's integration: within radius_px rows of `wide`, now or at most hold_frames ago; counts the
- * frames that are left in `held`. Where it is 0 and the model has no surface, fallback_m follows the live depth.
- * Half a tile a work-item: global size (pitch / 8, rows / 16). */
+ * frames that are left in `held`. Half a tile a work-item: global size (pitch / 8, rows / 16). */
 __kernel void mask_background(__global const uchar* wide, __global const float* live_m, __global const float* model_m,
                               __global uchar* held, __global uchar* mask, __global float* fallback_m,
                               const MapShape shape, const int radius_px, const int hold_frames) {
     const int x = (int)get_global_id(0) * 8, first = (int)get_global_id(1) * TILE_PX, pitch = shape.pitch_px;
+    const int from = max(first - radius_px, 0), end = min(first + TILE_PX + radius_px, shape.rows_px);
+    uchar8 busy = (uchar8)(0);
+    for (int y = from; y < end; ++y) busy |= vload8(0, wide + y * pitch + x);
+    for (int y = first; y < first + TILE_PX; ++y) busy |= vload8(0, held + y * pitch + x);
+    if (as_ulong(busy) == 0) {
+        for (int at = first * pitch + x; at < (first + TILE_PX) * pitch; at += pitch) {
+            vstore8((uchar8)(0), 0, mask + at);
+            learn_fallback8(live_m + at, model_m + at, fallback_m + at, (char8)(0));
+        }
+        return;
+    }
     char8 near[TILE_PX];
     uchar8 distance = (uchar8)(255);
-    for (int y = max(first - radius_px, 0); y < first + TILE_PX; ++y) {
+    for (int y = from; y < first + TILE_PX; ++y) {
         distance = rows_since8(distance, vload8(0, wide + y * pitch + x));
         if (y >= first) near[y - first] = distance <= (uchar8)(radius_px);
     }
     distance = (uchar8)(255);
-    for (int y = min(first + TILE_PX + radius_px, shape.rows_px) - 1; y >= first; --y) {
+    for (int y = end - 1; y >= first; --y) {
         distance = rows_since8(distance, vload8(0, wide + y * pitch + x));
         if (y < first + TILE_PX) near[y - first] |= distance <= (uchar8)(radius_px);
     }
@@ -140,10 +165,6 @@ __kernel void mask_background(__global const uchar* wide, __global const float* 
         const char8 masked = left != (uchar8)(0);
         vstore8(left, 0, held + at);
         vstore8(convert_uchar8(masked), 0, mask + at);
-        const float8 live = vload8(0, live_m + at), old = vload8(0, fallback_m + at);
-        const int8 learn = (live > 0.0f) & (vload8(0, model_m + at) <= 0.0f) & ~convert_int8(masked);
-        if (!any(learn)) continue;
-        const float8 average = select(live, old + (live - old) * 0.0625f, old > 0.0f);
-        vstore8(select(old, average, learn), 0, fallback_m + at);
+        learn_fallback8(live_m + at, model_m + at, fallback_m + at, masked);
     }
 }

@@ -2,12 +2,15 @@
  * where there is no counterpart: the outlier map of Fig 14b. Live frame c, prediction frame p; both points are compared
  * in p, so the model's vertex needs no transform. The distance test is in 1/z, the sensor's own unit. */
 
-/* Variance of 1/z of a surface seen at the angle theta. 2 tan^2 stands for (theta / (pi/2 - theta))^2. */
-INLINE float8 variance_inverse_depth8(const AssociationParams params, const float8 z, const float8 cos_theta) {
+/* Variance of 1/z times z^4, of a surface seen at the angle theta; 2 tan^2 stands for (theta / (pi/2 - theta))^2. */
+INLINE float8 variance_in_depth8(const AssociationParams params, const float8 z, const float8 grazing_m) {
+    const float8 sigma_m = sigma_z8(params.noise, z) + grazing_m, step_m = params.quantisation_per_m * z * z;
+    return sigma_m * sigma_m + step_m * step_m;
+}
+
+INLINE float8 grazing_noise8(const AssociationParams params, const float8 z, const float8 cos_theta) {
     const float8 cos2 = fmax(cos_theta * cos_theta, 0.01f);
-    const float8 grazing = params.noise.grazing * rsqrt(z) * 2.0f * (1.0f - cos2) / cos2;
-    const float8 sigma = (sigma_z8(params.noise, z) + grazing) / (z * z);
-    return sigma * sigma + params.quantisation_per_m * params.quantisation_per_m;
+    return params.noise.grazing * rsqrt(z) * 2.0f * (1.0f - cos2) / cos2;
 }
 
 INLINE Points8 load_or_gather_points8(__global const float* planes, const int at, const int plane, const int8 pixel,
@@ -49,19 +52,19 @@ __kernel void associate(__global const float* live_m, __global const float* live
     const float8 model = select(fallback, predicted, predicted > 0.0f);
     const int8 known = measured & (v.z > 0.0f) & (model > 0.0f);  // L1:5
     const float8 z = select((float8)(1.0f), v.z, known);
-    const float8 nearer = 1.0f / z - 1.0f / select((float8)(1.0f), model, known);
+    // The difference of 1/z times z^2: one division.
+    const float8 nearer = (model - z) * (z / select((float8)(1.0f), model, known)), square = nearer * nearer;
     const float high = params.sigmas_high * params.sigmas_high, low = params.sigmas_low * params.sigmas_low;
-    float8 variance = variance_inverse_depth8(params, z, (float8)(1.0f));
+    float8 variance = variance_in_depth8(params, z, (float8)(0.0f));
     Points8 n = {(float8)(0.0f), (float8)(0.0f), (float8)(0.0f)};
     int8 has_normal = (int8)(0);
     // A slanted surface only makes it larger: most pixels need no normal.
-    if (any(known & (nearer * nearer > low * variance)) || params.min_normal_cos > -1.0f) {
+    if (any(known & (square > low * variance)) || params.min_normal_cos > -1.0f) {
         n = load_or_gather_points8(model_normals_p, at, plane, pixel, aligned);  // L1:7
         has_normal = known & (dot8(n, n) > 0.5f);
         const float8 cos_theta = select((float8)(1.0f), dot8(n, v) * rsqrt(dot8(v, v)), has_normal);
-        variance = variance_inverse_depth8(params, z, cos_theta);
+        variance = variance_in_depth8(params, z, grazing_noise8(params, z, cos_theta));
     }
-    const float8 distance = nearer * nearer / variance;
     int8 code = select((int8)(ASSOCIATION_NO_MODEL), (int8)(ASSOCIATION_INLIER), known);  // L1:9
     code = select(code, (int8)(ASSOCIATION_NO_LIVE_DEPTH), ~measured);
     if (params.min_normal_cos > -1.0f) {
@@ -71,8 +74,8 @@ __kernel void associate(__global const float* live_m, __global const float* live
         const int8 differs = has_normal & (dot8(n_live, n_live) > 0.5f) & (dot8(n, n_live) < params.min_normal_cos);
         code = select(code, (int8)(ASSOCIATION_NORMAL_DIFFERS), known & differs);
     }
-    code = select(code, (int8)(ASSOCIATION_SLIGHTLY_IN_FRONT), known & (nearer > 0.0f) & (distance > low));
-    code = select(code, (int8)(ASSOCIATION_IN_FRONT), known & (nearer > 0.0f) & (distance > high));  // L1:8
-    code = select(code, (int8)(ASSOCIATION_BEHIND), known & (nearer < 0.0f) & (distance > high));
+    code = select(code, (int8)(ASSOCIATION_SLIGHTLY_IN_FRONT), known & (nearer > 0.0f) & (square > low * variance));
+    code = select(code, (int8)(ASSOCIATION_IN_FRONT), known & (nearer > 0.0f) & (square > high * variance));  // L1:8
+    code = select(code, (int8)(ASSOCIATION_BEHIND), known & (nearer < 0.0f) & (square > high * variance));
     vstore8(convert_uchar8(code), 0, codes + at);
 }

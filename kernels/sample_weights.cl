@@ -41,12 +41,12 @@ __kernel void sample_weights(__global const float* depth_m, __global const float
     const Points8 n = {vload8(0, normals_c + at), vload8(0, normals_c + plane + at), vload8(0, normals_c + 2 * plane + at)};
     const int8 has_normal = dot8(n, n) > 0.5f;
     const Points8 ray = pixel_rays8(k, x, y);
-    const float8 cos_theta = -dot8(n, ray) * rsqrt(dot8(ray, ray));
-    const int8 grazing = has_normal & (cos_theta < params.min_cos);
+    const float8 facing = -dot8(n, ray), length = sqrt(dot8(ray, ray));
+    const int8 grazing = has_normal & (facing < params.min_cos * length);
     float8 weight = (float8)(1.0f);
     if (params.most > 1) {
         const float8 most = (float8)((float)params.most);
-        const float8 by_noise = most / relative_variance8(params, fmax(z, 0.01f), cos_theta);
+        const float8 by_noise = most / relative_variance8(params, fmax(z, 0.01f), facing / length);
         weight = clamp(select((float8)(1.0f), by_noise, has_normal), (float8)(1.0f), most);
     }
     const float8 used = select((float8)(0.0f), weight, measured & ~flying & ~grazing);
