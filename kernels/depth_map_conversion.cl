@@ -21,7 +21,7 @@ INLINE float8 load_or_zero8(__global const float* row, const int x, const MapSha
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (float8)(0.0f);
 }
 
-/* One row of taps: depths off the centre in units in which 1 is beyond the filter's reach. A missing depth is that far off. */
+/* Adds one row of taps; depths count from the centre in units of the filter's reach. */
 INLINE void add_taps8(const float8 a, const float8 b, const float8 c, const float8 scale, const float8 center,
                       const float* nearness, float8* sum, float8* weights) {
     const float8 taps[5] = {(float8)(a.s67, b.s0123, b.s45), (float8)(a.s7, b.s0123, b.s456), b,

@@ -91,7 +91,8 @@ INLINE int8 gather_int8(__global const int* map, const int8 index) {
     return select((int8)(-1), values, index >= 0);
 }
 
-/* Of a map that is whole ints long, on a little-endian device; index 0 where it is negative. Bytes out of ints, as a CPU gathers nothing smaller. */
+/* Of a map that is whole ints long, on a little-endian device: a CPU gathers nothing smaller. Value 0 of the map where the index is
+ * negative. */
 INLINE uchar8 gather_uchar8(__global const uchar* map, const int8 index) {
     const int8 i = max(index, 0);
     const int8 four = gather_int8((__global const int*)map, i >> 2);

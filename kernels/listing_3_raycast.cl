@@ -41,11 +41,12 @@ INLINE Walk8 start_walk8(const Points8 direction, const float8 voxel_step, const
 
 /* Depth over which the rays stay in the brick that they are in. */
 INLINE float8 rest_of_brick8(const Walk8* w, const Points8 p) {
-    const float8 x = p.x - 8.0f * floor(p.x * 0.125f), y = p.y - 8.0f * floor(p.y * 0.125f);
-    const float8 z = p.z - 8.0f * floor(p.z * 0.125f);
-    const float8 along_x = select(x, 8.0f - x, w->direction.x > 0.0f) * w->per_voxel[0];
-    const float8 along_y = select(y, 8.0f - y, w->direction.y > 0.0f) * w->per_voxel[1];
-    const float8 along_z = select(z, 8.0f - z, w->direction.z > 0.0f) * w->per_voxel[2];
+    const float side = BRICK_VOX;
+    const float8 x = p.x - side * floor(p.x / side), y = p.y - side * floor(p.y / side);
+    const float8 z = p.z - side * floor(p.z / side);
+    const float8 along_x = select(x, side - x, w->direction.x > 0.0f) * w->per_voxel[0];
+    const float8 along_y = select(y, side - y, w->direction.y > 0.0f) * w->per_voxel[1];
+    const float8 along_z = select(z, side - z, w->direction.z > 0.0f) * w->per_voxel[2];
     return fmin(fmin(along_x, along_y), along_z);
 }
 

@@ -93,6 +93,11 @@ SavedScan InteractionPipeline::saved_scan() const {
             {keyframes.begin(), keyframes.end()}};
 }
 
+void InteractionPipeline::release_touches() {
+    const std::vector<TouchEvent> ups = touch_.release_all();
+    released_.insert(released_.end(), ups.begin(), ups.end());
+}
+
 InteractionFrame InteractionPipeline::process(const DepthView& view, std::uint64_t timestamp_us) {
     InteractionFrame frame = see(view, timestamp_us);
     follow();

@@ -76,7 +76,7 @@ class InteractionPipeline {
     /// restore_volume.
     void follow_object(const VolumeSnapshot& model);
     /// The camera is lost: all touches end. The next frame says so.
-    void release_touches() { released_ = touch_.release_all(); }
+    void release_touches();
     /// Is taken off the places of touches from the next frame on.
     void set_touch_bias(const TouchBias& bias) { touch_.set_bias(bias); }
     /// What a frame shows, its touches above all. follow() must come before the next frame.

@@ -102,6 +102,27 @@ TEST_P(CameraTrackingSums, OfNothingAreZero) {
     EXPECT_GT(behind.measured, 0.0);
 }
 
+/// As if the rows between had no depth.
+TEST_P(CameraTrackingSums, OverOneRowInSoManyAgreeWithTheReference) {
+    const RigidTransform T_p_c = moved({40.0f, 25.0f, -30.0f}, 3.0f);
+    const OrientedPicture live = test::view_of(k_, test::corner(), T_g_p_ * T_p_c);
+    const RigidTransform estimate = T_p_c * moved({-8.0f, 10.0f, 7.0f}, 0.8f);
+    const CameraTrackingConfig config;
+    Sums sums(k_, live, model_, config);
+    for (const int step : {2, 3, 4}) {
+        SCOPED_TRACE("one row in " + std::to_string(step));
+        OrientedPicture thinned = live;
+        for (std::size_t u = 0; u < thinned.depth_m.size(); ++u)
+            if (static_cast<int>(u) / k_.width_px % step != 0) thinned.depth_m[u] = 0.0f;
+        const AlignmentSums expected = reference::sum_alignment(
+            thinned, k_, model_, k_, estimate, test::alignment_params(config, 0, sums.middle));
+        const AlignmentSums got = sums.tracking.sum(sums.prediction, estimate, 0, nullptr, step);
+        EXPECT_EQ(got.measured, expected.measured);
+        EXPECT_GT(expected.pairs, 0.25 * expected.measured);
+        expect_same(got, expected, 1e-3);
+    }
+}
+
 /// Stripes and spots fixed to the scene, as a camera sees them: brightness 0..1 as 3 equal bytes.
 std::vector<std::uint8_t> texture_of(const Intrinsics& k, const OrientedPicture& view,
                                      const RigidTransform& T_g_c) {

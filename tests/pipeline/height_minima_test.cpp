@@ -66,6 +66,39 @@ TEST(HeightMinima, PartsWithoutContactAreTwoObjects) {
     EXPECT_THAT(found.object_pixels, testing::UnorderedElementsAre(18 * height_px, 21 * height_px));
 }
 
+/// Two low places with rows 10 to 13, and a high row of pixels in the columns between them, 11 of them.
+HeightMinima joined_by_high_row(int y) {
+    Heights heights;
+    heights.member.assign(heights.member.size(), 0);
+    const auto put = [&](int i, int j, float height_m) {
+        const auto at = static_cast<std::size_t>(j * width_px + i);
+        heights.member[at] = 1;
+        heights.height_m[at] = height_m;
+    };
+    for (int j = 10; j < 14; ++j)
+        for (const int i : {5, 6, 7, 8, 20, 21, 22, 23}) put(i, j, 0.01f);
+    for (int i = 9; i < 20; ++i) put(i, y, 0.3f);
+    return find_height_minima(heights.height_m, heights.member, width_px, {});
+}
+
+TEST(HeightMinima, HighPixelsJoinWhatTheyTouchBesideAboveAndBelow) {
+    for (const int y : {9, 10, 12, 13, 14}) {
+        const HeightMinima found = joined_by_high_row(y);
+        EXPECT_EQ(found.minima.size(), 2u) << y;
+        EXPECT_THAT(found.object_pixels, testing::ElementsAre(2 * 16 + 11)) << y;
+    }
+    EXPECT_THAT(joined_by_high_row(8).object_pixels, testing::UnorderedElementsAre(16, 16, 11));
+    EXPECT_THAT(joined_by_high_row(15).object_pixels, testing::UnorderedElementsAre(16, 16, 11));
+}
+
+TEST(HeightMinima, RowsOfHighPixelsAreOneObject) {
+    Heights heights;
+    std::ranges::fill(heights.height_m, 0.3f);
+    heights.member[0] = 0;
+    EXPECT_THAT(find_height_minima(heights.height_m, heights.member, width_px, {}).object_pixels,
+                testing::ElementsAre(width_px * height_px - 1));
+}
+
 TEST(HeightMinima, RowsDoNotTouchAcrossThePicturesBorder) {
     Heights heights;
     heights.member.assign(heights.member.size(), 0);

@@ -55,6 +55,14 @@ TEST_F(InteractionPipelineTest, HandsBecomeForegroundHoversAndTouches) {
     EXPECT_GT(hovers, 5u);
     EXPECT_GT(downs, 0u);
     EXPECT_GT(most_foreground, 5000);
+    // The camera stumbles, and then it is gone: the finger that was down is lifted once.
+    pipeline.release_touches();
+    pipeline.release_touches();
+    const auto ups = [&] {
+        return std::ranges::count(next(pipeline, *source).touches, TouchPhase::up, &TouchEvent::phase);
+    };
+    EXPECT_EQ(ups(), static_cast<long>(downs));
+    EXPECT_EQ(ups(), 0);
     const ShadedView view = pipeline.view();
     EXPECT_EQ(view.width_px, 640);
 }
