@@ -21,14 +21,14 @@ INLINE float8 load_or_zero8(__global const float* row, const int x, const MapSha
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (float8)(0.0f);
 }
 
-/* Adds one row of taps; depths count from the centre in units of the filter's reach. */
+/* Adds one row of taps; depths count from the centre in units of the filter's reach, in which missing ones (0) are not. */
 INLINE void add_taps8(const float8 a, const float8 b, const float8 c, const float8 scale, const float8 center,
                       const float* nearness, float8* sum, float8* weights) {
     const float8 taps[5] = {(float8)(a.s67, b.s0123, b.s45), (float8)(a.s7, b.s0123, b.s456), b,
                             (float8)(b.s1234, b.s567, c.s0), (float8)(b.s2345, b.s67, c.s01)};
     for (int i = 0; i < 5; ++i) {
         const float8 off = taps[i] * scale - center;
-        float8 w = select((float8)(0.0f), fmax(nearness[i] - off * off, 0.0f), taps[i] > 0.0f);
+        float8 w = fmax(nearness[i] - off * off, 0.0f);
         w *= w;
         w *= w;
         w *= w;
@@ -46,7 +46,7 @@ __kernel void bilateral_filter(__global const float* depth_m, __global float* fi
         vstore8((float8)(0.0f), 0, filtered_m + y * shape.pitch_px + x);
         return;
     }
-    const float8 scale = 0.25f / (params.range_sigmas * sigma_z8(params.noise, center_m));
+    const float8 scale = fmax(0.25f / (params.range_sigmas * sigma_z8(params.noise, center_m)), 1.0f / fmax(center_m, 1e-3f));
     const float8 center = center_m * scale;
     const float per_px2 = 1.0f / (16.0f * params.spatial_sigma_px * params.spatial_sigma_px);
     float8 sum = (float8)(0.0f), weights = (float8)(0.0f);

@@ -48,8 +48,11 @@ __kernel void associate(__global const float* live_m, __global const float* live
         pixel = project_to_index8(k, shape, v);      // L1:4
     }
     const float8 predicted = aligned ? vload8(0, model_m + at) : gather8(model_m, pixel);  // L1:6
-    const float8 fallback = aligned ? vload8(0, fallback_m + at) : gather8(fallback_m, pixel);
-    const float8 model = select(fallback, predicted, predicted > 0.0f);
+    float8 model = predicted;
+    if (any(predicted <= 0.0f)) {
+        const float8 fallback = aligned ? vload8(0, fallback_m + at) : gather8(fallback_m, pixel);
+        model = select(fallback, predicted, predicted > 0.0f);
+    }
     const int8 known = measured & (v.z > 0.0f) & (model > 0.0f);  // L1:5
     const float8 z = select((float8)(1.0f), v.z, known);
     // The difference of 1/z times z^2: one division.

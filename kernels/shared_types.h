@@ -37,7 +37,8 @@ typedef struct MapShape {
     int width_px, height_px, pitch_px, rows_px;
 } MapShape;
 
-/* Bilateral filter: weight (1 - e/8)^8 for e < 8 of e = du^2/(2 sigma_px^2) + dz^2/(2 (range_sigmas sigma_z)^2). */
+/* Bilateral filter: weight (1 - e/8)^8 for e < 8 of e = du^2/(2 sigma_px^2) + dz^2/(2 sigma^2), where sigma is range_sigmas sigma_z,
+ * at most a quarter of the depth. */
 typedef struct FilterParams {
     SensorNoise noise;
     float spatial_sigma_px, range_sigmas, min_depth_m, max_depth_m;

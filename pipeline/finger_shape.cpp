@@ -15,6 +15,8 @@ using Vector6f = Eigen::Matrix<float, 6, 1>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
+constexpr int least_inliers = 12;
+
 /// Four points, one a lane.
 using Lanes = Eigen::Array4f;
 
@@ -224,34 +226,42 @@ float pad_sigma_m(const FingerFit& fit, const Vector3f& normal) {
     return static_cast<float>(std::sqrt(pad.dot(fit.covariance * pad)));
 }
 
-FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
-                     const FingerFitConfig& config) {
+std::optional<FingerShape> fit_shape(std::span<const Vector3f> points_m, const FingerGuess& guess,
+                                     float sigma_z_m, const FingerFitConfig& config) {
     const Fitter fitter(points_m, static_cast<std::size_t>(config.most_points), guess, sigma_z_m, config);
-    FingerFit fit;
-    fit.shape = guess.shape;
+    FingerShape shape = guess.shape;
     const int rough_rounds = guess.rough ? config.rough_rounds : 0;
     double damping = 1e-3;
     for (int round = 0; round < config.rounds; ++round) {
         const bool rough = round < rough_rounds;
-        const NormalEquations sum = fitter.equations(fit.shape, rough);
-        if (sum.inliers < 12) return fit;
+        const NormalEquations sum = fitter.equations(shape, rough);
+        if (sum.inliers < least_inliers) return std::nullopt;
         Matrix6d damped = sum.JTJ;
         damped.diagonal() *= 1.0 + damping;
         const Vector6f step = damped.ldlt().solve(-sum.JTe).cast<float>();
-        if (!step.allFinite()) return fit;
-        const FingerShape next = stepped(fit.shape, step, config);
-        const bool better = fitter.cost(next, fit.shape, rough) < sum.cost;
+        if (!step.allFinite()) return std::nullopt;
+        const FingerShape next = stepped(shape, step, config);
+        const bool better = fitter.cost(next, shape, rough) < sum.cost;
         damping *= better ? 0.1 : 10.0;
-        if (better) fit.shape = next;
+        if (better) shape = next;
         if (better && !rough && step.head<3>().norm() < config.settled_m) break;
     }
+    return shape;
+}
+
+FingerFit fit_finger(std::span<const Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
+                     const FingerFitConfig& config) {
+    FingerFit fit;
+    const std::optional<FingerShape> shape = fit_shape(points_m, guess, sigma_z_m, config);
+    if (!shape) return fit;
+    fit.shape = *shape;
     const Fitter all(points_m, points_m.size() + 1, guess, sigma_z_m, config);
     const NormalEquations last = all.equations(fit.shape, false);
     fit.points = last.points;
     fit.inliers = last.inliers;
     fit.rms_sigmas = std::sqrt(last.square_sum / static_cast<float>(std::max(1, last.inliers)));
     fit.covariance = last.JTJ.ldlt().solve(Matrix6d::Identity());
-    fit.ok = last.inliers >= 12;
+    fit.ok = last.inliers >= least_inliers;
     return fit;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 
 namespace touchstone {
@@ -63,8 +64,12 @@ float distance_m(const FingerShape& shape, const FingerFitConfig& config, const 
 /// Standard deviation of the place of the pad along a unit direction away from the finger's upper side.
 float pad_sigma_m(const FingerFit& fit, const Eigen::Vector3f& normal);
 
-/// The finger that best explains points of its visible side, by weighted Gauss-Newton from `guess`.
-/// `sigma_z_m` is the noise of a point along its ray.
+/// The finger that best explains points of its visible side, by weighted Gauss-Newton from `guess`; nothing
+/// where too few points are near it. `sigma_z_m` is the noise of a point along its ray.
+std::optional<FingerShape> fit_shape(std::span<const Eigen::Vector3f> points_m, const FingerGuess& guess,
+                                     float sigma_z_m, const FingerFitConfig& config);
+
+/// The same, and how well it is known.
 FingerFit fit_finger(std::span<const Eigen::Vector3f> points_m, const FingerGuess& guess, float sigma_z_m,
                      const FingerFitConfig& config);
 

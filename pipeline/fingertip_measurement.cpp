@@ -78,12 +78,12 @@ FingerFit fit_with_outline(const TablePicture& picture, const LowEnd& end, Finge
     const float sigma_m = sigma_z_m(picture.noise, end.seed_m.z());
     guess.outline = outline_of(picture.intrinsics, end, guess.shape, config);
     guess.outline.sigma_m *= 3.0f;  // of a guess
-    FingerFit fit = fit_finger(end.points_m, guess, sigma_m, config.fit);
-    if (!fit.ok) return fit;
-    guess.shape = fit.shape;
+    const std::optional<FingerShape> rough = fit_shape(end.points_m, guess, sigma_m, config.fit);
+    if (!rough) return {};
+    guess.shape = *rough;
     guess.rough = false;
-    guess.outline = outline_of(picture.intrinsics, end, fit.shape, config);
-    fit = fit_finger(end.points_m, guess, sigma_m, config.fit);
+    guess.outline = outline_of(picture.intrinsics, end, *rough, config);
+    FingerFit fit = fit_finger(end.points_m, guess, sigma_m, config.fit);
     fit.ok = fit.ok && is_pad_held(picture, fit, config.most_height_sigma_m);
     return fit;
 }

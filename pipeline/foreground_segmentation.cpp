@@ -68,16 +68,13 @@ void ForegroundSegmentation::forget() {
 void ForegroundSegmentation::learn(const LiveMaps& live, const SurfacePrediction& background) {
     wide_.fill(0);
     held_.fill(0);
-    mask_background_.launch(half_tile_each(foreground_.shape), wide_, live.filtered_m, background.depth_m,
-                            held_, foreground_.background_mask, fallback_m_, foreground_.shape,
-                            config_.widen_px, config_.hold_frames);
+    launch_background_mask(live, background);
 }
 
 const Foreground& ForegroundSegmentation::segment(const LiveMaps& live, const SurfacePrediction& background) {
     association_.associate(live, background, fallback_m_, RigidTransform::Identity(), foreground_.rejection);
     mark_candidates(live, background);
     select_components(components_.find(members_, live.filtered_m));
-    mask_background(live, background);
     return foreground_;
 }
 
@@ -93,12 +90,9 @@ void ForegroundSegmentation::select_components(const std::vector<Component>& fou
     verdicts_.clear();
     for (const Component& component : found) verdicts_.push_back(judge(component));
     believe_neighbours(found);
-    const bool any_doubted = std::ranges::find(verdicts_, Verdict::doubted) != verdicts_.end();
-    // What is doubted is kept from the background, and is expected in the next frame.
-    if (any_doubted) number_components(found, Verdict::doubted, doubted_);
+    any_doubted_ = std::ranges::find(verdicts_, Verdict::doubted) != verdicts_.end();
+    if (any_doubted_) number_components(found, Verdict::doubted, doubted_);
     number_components(found, Verdict::taken, foreground_.mask);
-    widen_rows_.launch(eight_pixels_each(foreground_.shape), any_doubted ? doubted_ : foreground_.mask, wide_,
-                       foreground_.shape, config_.widen_px);
 }
 
 ForegroundSegmentation::Verdict ForegroundSegmentation::judge(const Component& component) const {
@@ -159,6 +153,14 @@ float ForegroundSegmentation::min_area_m2(float depth_m) const {
 }
 
 void ForegroundSegmentation::mask_background(const LiveMaps& live, const SurfacePrediction& background) {
+    // What is doubted is kept from the background, and is expected in the next frame.
+    widen_rows_.launch(eight_pixels_each(foreground_.shape), any_doubted_ ? doubted_ : foreground_.mask,
+                       wide_, foreground_.shape, config_.widen_px);
+    launch_background_mask(live, background);
+}
+
+void ForegroundSegmentation::launch_background_mask(const LiveMaps& live,
+                                                    const SurfacePrediction& background) {
     mask_background_.launch(half_tile_each(foreground_.shape), wide_, live.filtered_m, background.depth_m,
                             held_, foreground_.background_mask, fallback_m_, foreground_.shape,
                             config_.widen_px, config_.hold_frames);

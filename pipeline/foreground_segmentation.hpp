@@ -41,7 +41,7 @@ struct Foreground {
     MapShape shape;
     Buffer<std::uint8_t> rejection;        ///< RejectionCode: the outlier map
     Buffer<std::uint8_t> mask;             ///< 255 on the foreground: for its reconstruction and touch
-    Buffer<std::uint8_t> background_mask;  ///< 255: left out of the background; wider in space and time
+    Buffer<std::uint8_t> background_mask;  ///< of mask_background(). 255: left out of the background
     Buffer<int> labels;                    ///< label of the component, -1 = none
     std::vector<ForegroundComponent> components;
 };
@@ -57,8 +57,12 @@ class ForegroundSegmentation {
     void learn(const LiveMaps& live, const SurfacePrediction& background);
     /// Forgets what was learnt and which pixels were masked: the camera is elsewhere.
     void forget();
-    /// Valid until the next call. Waits for the device.
+    /// All but the background's mask. Valid until the next call. Waits for the device.
     const Foreground& segment(const LiveMaps& live, const SurfacePrediction& background);
+    /// Once after segment(), of the same frame, when nothing more urgent waits: the background's mask, which
+    /// is wider than the foreground in space and time, and what was last seen outside it where the volume has
+    /// no surface.
+    void mask_background(const LiveMaps& live, const SurfacePrediction& background);
 
   private:
     void mark_candidates(const LiveMaps& live, const SurfacePrediction& background);
@@ -70,7 +74,7 @@ class ForegroundSegmentation {
     bool is_foreground(const Component& component) const;
     float area_m2(const Component& component, int pixels) const;
     float min_area_m2(float depth_m) const;
-    void mask_background(const LiveMaps& live, const SurfacePrediction& background);
+    void launch_background_mask(const LiveMaps& live, const SurfacePrediction& background);
 
     ForegroundSegmentationConfig config_;
     Intrinsics intrinsics_;
@@ -82,6 +86,7 @@ class ForegroundSegmentation {
     Foreground foreground_;
     Buffer<std::uint8_t> candidates_, members_, doubted_, wide_, held_;
     Buffer<float> fallback_m_;
+    bool any_doubted_ = false;       ///< in doubted_; what is doubted is kept from the background, too
     std::vector<Verdict> verdicts_;  ///< of the components of this frame
     std::vector<int> numbers_;
 };

@@ -109,7 +109,7 @@ InteractionFrame InteractionPipeline::see(const DepthView& view, std::uint64_t t
     const StageTimer until_touches(times_, "touches out");
     InteractionFrame frame;
     foreground_is_modelled_ = false;
-    background_mask_ = nullptr;
+    to_follow_ = nullptr;
     {
         const StageTimer timer(times_, "depth map conversion");
         conversion_.convert(view, live_);
@@ -128,14 +128,25 @@ InteractionFrame InteractionPipeline::see(const DepthView& view, std::uint64_t t
 }
 
 void InteractionPipeline::follow() {
-    if (background_mask_ != nullptr) {
+    if (to_follow_ != nullptr) {
         const StageTimer whole(times_, "frame");
-        const StageTimer timer(times_, "volumetric integration, raycast");
-        background_->follow(live_, *background_mask_);
-        device_->finish();
-        background_mask_ = nullptr;
+        follow_sensor(*to_follow_);
+        if (pose_is_sure_) {
+            const StageTimer timer(times_, "volumetric integration, raycast");
+            background_->follow(live_, to_follow_->background_mask);
+            device_->finish();
+        }
+        to_follow_ = nullptr;
     }
     times_.end_frame();
+}
+
+void InteractionPipeline::follow_sensor(const Foreground& foreground) {
+    const StageTimer timer(times_, "sensor drift");
+    segmentation_.mask_background(live_, background_->prediction());
+    const std::span<const float> before = drift_.shift_per_m();
+    if (pose_is_sure_) shift_before_doubt_.assign(before.begin(), before.end());
+    conversion_.set_column_shift(drift_.update(live_, background_->prediction(), foreground));
 }
 
 bool InteractionPipeline::place_volume(const DepthView& view) {
@@ -223,18 +234,13 @@ void InteractionPipeline::interact(std::uint64_t timestamp_us, InteractionFrame&
         return;
     }
     foreground_mask_ = &foreground.mask;
-    if (verdict == CameraVerdict::still) detect_touches(foreground, timestamp_us, frame);
-    if (verdict == CameraVerdict::still) reconstruct_foreground(foreground);
-    if (verdict == CameraVerdict::still) find_held_object(foreground, frame);
-    {
-        const StageTimer timer(times_, "sensor drift");
-        const std::span<const float> before = drift_.shift_per_m();
-        if (verdict == CameraVerdict::still) shift_before_doubt_.assign(before.begin(), before.end());
-        conversion_.set_column_shift(drift_.update(live_, background, foreground));
-    }
-    if (verdict != CameraVerdict::still) return;
+    to_follow_ = &foreground;
+    pose_is_sure_ = verdict == CameraVerdict::still;
+    if (!pose_is_sure_) return;
+    detect_touches(foreground, timestamp_us, frame);
+    reconstruct_foreground(foreground);
+    find_held_object(foreground, frame);
     segment_objects(foreground, timestamp_us, frame);
-    background_mask_ = &foreground.background_mask;
 }
 
 void InteractionPipeline::reconstruct_foreground(const Foreground& foreground) {

@@ -118,6 +118,7 @@ class InteractionPipeline {
     void reconstruct_foreground(const Foreground& foreground);
     void find_held_object(const Foreground& foreground, InteractionFrame& frame);
     void detect_touches(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
+    void follow_sensor(const Foreground& foreground);
     void segment_objects(const Foreground& foreground, std::uint64_t timestamp_us, InteractionFrame& frame);
     CameraVerdict judge_camera(const Foreground& foreground);
     void begin_realigning(InteractionFrame& frame);
@@ -141,8 +142,9 @@ class InteractionPipeline {
     Rendering rendering_;
     std::optional<ForegroundModel> foreground_model_;
     std::optional<HeldObject> held_;
-    bool foreground_is_modelled_ = false;                    ///< in the last frame
-    const Buffer<std::uint8_t>* background_mask_ = nullptr;  ///< what follow() leaves out; null: no following
+    bool foreground_is_modelled_ = false;    ///< in the last frame
+    const Foreground* to_follow_ = nullptr;  ///< of a frame that follow() has to look at; else null
+    bool pose_is_sure_ = false;              ///< in that frame: the background may follow
     std::optional<BackgroundModel> background_;
     std::optional<InteractiveArea> area_;
     Buffer<std::uint8_t> no_foreground_;

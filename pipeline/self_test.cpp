@@ -110,8 +110,9 @@ class SelfTest {
         ColumnDriftConfig config;
         config.row_step = 1;
         ColumnDrift drift(device_, config, camera);
-        const float column_shift =
-            drift.update(live_, background, segmentation.segment(live_, background))[width_px * 3 / 4 - 1];
+        const Foreground& foreground = segmentation.segment(live_, background);
+        segmentation.mask_background(live_, background);
+        const float column_shift = drift.update(live_, background, foreground)[width_px * 3 / 4 - 1];
         const float expected_per_m = config.gain * (1.0f / wall_m - 1.0f / 1.003f);
         expect_near("column_drift", column_shift / expected_per_m, 1.0f, 0.2f);
     }

@@ -51,6 +51,7 @@ class Desk {
     HeldObjectFrame process(const std::vector<std::uint16_t>& depth_mm, double& took_ms) {
         conversion_.convert({depth_mm, k_}, live_);
         const Foreground& foreground = segmentation_.segment(live_, wall_);
+        segmentation_.mask_background(live_, wall_);
         conversion_.set_column_shift(drift_.update(live_, wall_, foreground));
         device_->finish();
         const auto start = std::chrono::steady_clock::now();

@@ -134,6 +134,7 @@ void add_interaction_stages(Run& run) {
     // Depth and normals of both; code, two masks and label out.
     run.add("foreground segmentation", run.pixels() * (16 + 16 + 1 + 1 + 1 + 4), [=, &run] {
         segmentation->segment(run.stage.live(), run.stage.background().prediction());
+        segmentation->mask_background(run.stage.live(), run.stage.background().prediction());
         run.device->finish();
     });
     auto touch = std::make_shared<TouchDetection>(*run.device, TouchDetectionConfig{}, k);

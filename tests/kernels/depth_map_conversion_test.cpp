@@ -71,6 +71,22 @@ INSTANTIATE_TEST_SUITE_P(Sizes, DepthMapConversionTest,
                          testing::Values(std::pair{96, 80}, std::pair{70, 41}, std::pair{16, 16},
                                          std::pair{3, 2}));
 
+TEST(DepthMapConversion, WhatIsMissingDoesNotCountHoweverNoisyTheSensorIs) {
+    const Device device(DeviceConfig{});
+    const Intrinsics k = test::small_camera();
+    DepthMapConversionConfig config;
+    config.noise.constant_m = 2.0f;
+    DepthMapConversion conversion(device, config, k);
+    LiveMaps live(device, make_map_shape(k));
+    const std::vector<std::uint16_t> depth_mm = noisy_scene_mm(k);
+    conversion.convert({depth_mm, k}, live);
+    const reference::Picture filtered = reference::bilateral_filter(
+        reference::convert_depth(depth_mm, k.width_px, k.height_px, params_of(config)), params_of(config));
+    const std::vector<float> filtered_m = cropped(live.shape, live.filtered_m.read());
+    for (std::size_t i = 0; i < filtered_m.size(); ++i)
+        ASSERT_NEAR(filtered_m[i], filtered.depth_m[i], 5e-6f) << i;
+}
+
 TEST(DepthMapConversion, NormalsOfAPlaneAreItsNormal) {
     const Device device(DeviceConfig{});
     const Intrinsics k = test::small_camera();

@@ -149,6 +149,30 @@ int known_weight(const TsdfVolume& volume) {
     return sum;
 }
 
+/// A patch on the border of two tiles, half of it in each, before a far wall: how many bricks it makes.
+int bricks_of_a_patch(int pixels_per_tile) {
+    const Device device(DeviceConfig{});
+    const Intrinsics k = test::small_camera(240, 200);
+    const MapShape shape = make_map_shape(k);
+    std::vector<float> depth_m(static_cast<std::size_t>(k.width_px * k.height_px), 2.0f);
+    const int border = 6 * TILE_PX;
+    for (int x = 100; x < 100 + pixels_per_tile; ++x) {
+        for (const int y : {border - 1, border}) depth_m[static_cast<std::size_t>(y * k.width_px + x)] = 0.7f;
+    }
+    TsdfVolume volume(device, small_volume());
+    VolumetricIntegration integration(device, k);
+    const std::vector<std::uint8_t> weights(depth_m.size(), 1);
+    integration.integrate(volume, Buffer<float>(device, test::padded<float>(shape, depth_m)),
+                          Buffer<std::uint8_t>(device, test::padded<std::uint8_t>(shape, weights)),
+                          pose_in_front(), all_layers(volume));
+    return volume.bricks_in_use();
+}
+
+TEST(Listing2, FewPixelsThatFlyMakeNoBrickAndThoseOfAllTilesCount) {
+    EXPECT_EQ(bricks_of_a_patch(BRICK_EDGE_PIXELS / 2 - 1), 0);
+    EXPECT_GT(bricks_of_a_patch(BRICK_EDGE_PIXELS / 2 + 1), 0);
+}
+
 TEST(Listing2, PoolLimitIsSaidOnceAndWhatIsKeptGoesOn) {
     const Device device(DeviceConfig{});
     const Scene scene;

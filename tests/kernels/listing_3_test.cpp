@@ -1,5 +1,6 @@
 #include "tests/reference/listing_3.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <optional>
@@ -117,6 +118,27 @@ TEST_F(Listing3, RefreshedTilesEqualAFullRaycast) {
         ASSERT_EQ(cached.depth_m.read(), prediction.depth_m.read()) << "part " << part;
         ASSERT_EQ(cached.normals_c.read(), prediction.normals_c.read()) << "part " << part;
     }
+}
+
+TEST_F(Listing3, EveryBrickOfAListRefreshesItsTiles) {
+    fuse(depth_m, pose_in_front());
+    const auto refreshed = [&](std::span<const int> bricks) {
+        prediction.depth_m.fill(9.0f);
+        raycasting.refresh(volume, pose_in_front(), bricks, prediction);
+        std::vector<bool> done;
+        for (const float z : prediction.depth_m.read()) done.push_back(z != 9.0f);
+        return done;
+    };
+    std::vector<int> list;
+    for (std::size_t i = 0; i < 9; ++i) list.push_back(changed_bricks[i * changed_bricks.size() / 9]);
+    std::vector<bool> one_by_one(map_pixels(shape), false);
+    for (const int brick : list) {
+        const std::vector<bool> done = refreshed(std::span(&brick, 1));
+        for (std::size_t i = 0; i < done.size(); ++i) one_by_one[i] = one_by_one[i] || done[i];
+    }
+    EXPECT_GT(std::ranges::count(one_by_one, true), 0);
+    EXPECT_GT(std::ranges::count(one_by_one, false), 0);
+    EXPECT_EQ(refreshed(list), one_by_one);
 }
 
 TEST_F(Listing3, CameraInsideTheVolumeSeesTheSurface) {

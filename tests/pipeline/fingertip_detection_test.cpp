@@ -178,6 +178,17 @@ TEST_F(Table, OverlappingRegionsDoNotDoubleAFinger) {
     EXPECT_EQ(detect_fingertips(scene.picture(), regions, {}, exact_sensor()).size(), 1u);
 }
 
+TEST_F(Table, HandsInRegionsOfTheirOwnAreBothFound) {
+    for (const float side : {-0.12f, 0.12f})
+        scene.add_hand(on_table(side, 0.0f, 0.0f), n, (nearer + 0.8f * n).normalized(), 0.008f, 0.0f);
+    scene.finish();
+    const PixelRegion whole = scene.whole();
+    const int middle_px = (whole.x0 + whole.x1) / 2;
+    const std::vector<PixelRegion> regions{{whole.x0, whole.y0, middle_px, whole.y1},
+                                           {middle_px, whole.y0, whole.x1, whole.y1}};
+    EXPECT_EQ(detect_fingertips(scene.picture(), regions, {}, exact_sensor()).size(), 2u);
+}
+
 TEST_F(Table, LostMiddleOfAFingerDoesNotMoveItsTip) {
     scene.add_hand(place.touched_m, n, (nearer + 0.8f * n).normalized(), 0.008f, 0.0f);
     const Vector3f lost = place.touched_m + 0.045f * (nearer + 0.8f * n).normalized();

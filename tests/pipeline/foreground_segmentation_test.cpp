@@ -64,7 +64,9 @@ class Stage {
     }
     const Foreground& segment(const std::vector<std::uint16_t>& depth_mm) {
         conversion_.convert({depth_mm, k_}, live_);
-        return segmentation_.segment(live_, background_);
+        const Foreground& foreground = segmentation_.segment(live_, background_);
+        segmentation_.mask_background(live_, background_);
+        return foreground;
     }
     std::vector<std::uint16_t> sense(const DepthOfRay& surface) {
         return test::sense(sensor_, k_, test::render_depth_m(k_, surface), random_);

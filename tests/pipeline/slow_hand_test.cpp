@@ -47,6 +47,7 @@ class LiveLoop {
         const std::vector<std::uint16_t> depth_mm = sense(scene);
         conversion_.convert({depth_mm, kinect}, live_);
         const Foreground& foreground = segmentation_.segment(live_, background_->prediction());
+        segmentation_.mask_background(live_, background_->prediction());
         const std::vector<std::uint8_t> mask = foreground.mask.read();
         conversion_.set_column_shift(drift_.update(live_, background_->prediction(), foreground));
         background_->follow(live_, foreground.background_mask);

@@ -42,7 +42,8 @@ inline Picture bilateral_filter(const Picture& in, const FilterParams& params) {
         for (int x = 0; x < in.width_px; ++x) {
             const float center = in.at(x, y);
             if (center <= 0.0f) continue;
-            const float sigma = params.range_sigmas * sigma_z_m(params.noise, center);
+            const float sigma =
+                std::min(params.range_sigmas * sigma_z_m(params.noise, center), 0.25f * center);
             float sum = 0.0f, weights = 0.0f;
             for (int j = -2; j <= 2; ++j) {
                 for (int i = -2; i <= 2; ++i) {

@@ -66,6 +66,7 @@ class ObjectScene {
         const auto depth_mm = picture(slabs);
         conversion_.convert({depth_mm, k}, live);
         const Foreground& foreground = segmentation_.segment(live, background->prediction());
+        segmentation_.mask_background(live, background->prediction());
         foreground_components = static_cast<int>(foreground.components.size());
         const ObjectChanges changes = objects_.update(live, foreground, touches, time_us, *background);
         background->follow(live, foreground.background_mask);
