@@ -21,44 +21,57 @@ INLINE float8 load_or_zero8(__global const float* row, const int x, const MapSha
     return x >= 0 && x < shape.pitch_px ? vload8(0, row + x) : (float8)(0.0f);
 }
 
-/* Adds one row of taps; depths count from the centre in units of the filter's reach, in which missing ones (0) are not. */
-INLINE void add_taps8(const float8 a, const float8 b, const float8 c, const float8 scale, const float8 center,
-                      const float* nearness, float8* sum, float8* weights) {
-    const float8 taps[5] = {(float8)(a.s67, b.s0123, b.s45), (float8)(a.s7, b.s0123, b.s456), b,
-                            (float8)(b.s1234, b.s567, c.s0), (float8)(b.s2345, b.s67, c.s01)};
-    for (int i = 0; i < 5; ++i) {
-        const float8 off = taps[i] * scale - center;
-        float8 w = fmax(nearness[i] - off * off, 0.0f);
-        w *= w;
-        w *= w;
-        w *= w;
-        *sum += w * off;
-        *weights += w;
-    }
+INLINE float16 load_or_zero16(__global const float* row, const int x, const MapShape shape) {
+    return x >= 0 && x < shape.pitch_px ? vload16(0, row + x) : (float16)(0.0f);
 }
 
-/* Weight (1 - e/8)^8: see FilterParams. */
-__kernel void bilateral_filter(__global const float* depth_m, __global float* filtered_m, const MapShape shape,
-                               const FilterParams params) {
-    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1);
-    const float8 center_m = vload8(0, depth_m + y * shape.pitch_px + x);
-    if (!any(center_m > 0.0f)) {
-        vstore8((float8)(0.0f), 0, filtered_m + y * shape.pitch_px + x);
+/* The sixteen pixels from x on and their neighbours along the row, at most two pixels away. */
+INLINE void load_taps16(__global const float* row, const int x, const MapShape shape, float16* taps) {
+    if (x >= 16 && x + 16 < shape.pitch_px) {
+        taps[0] = vload16(0, row + x - 2), taps[1] = vload16(0, row + x - 1), taps[2] = vload16(0, row + x);
+        taps[3] = vload16(0, row + x + 1), taps[4] = vload16(0, row + x + 2);
         return;
     }
-    const float8 scale = fmax(0.25f / (params.range_sigmas * sigma_z8(params.noise, center_m)), 1.0f / fmax(center_m, 1e-3f));
-    const float8 center = center_m * scale;
+    const float16 a = load_or_zero16(row, x - 16, shape), b = vload16(0, row + x), c = load_or_zero16(row, x + 16, shape);
+    taps[0] = (float16)(a.sef, b.s01234567, b.s89ab, b.scd);
+    taps[1] = (float16)(a.sf, b.s01234567, b.s89ab, b.scd, b.se);
+    taps[2] = b;
+    taps[3] = (float16)(b.s1234, b.s56789abc, b.sdef, c.s0);
+    taps[4] = (float16)(b.s2345, b.s6789abcd, b.sef, c.s01);
+}
+
+/* Weight (1 - e/8)^8: see FilterParams. Sixteen pixels a work-item; global size (pitch / 16, rows). Depths count from the centre in
+ * units of the filter's reach, in which missing ones (0) are not. Unrolled, as PoCL else keeps the taps in memory. */
+__kernel void bilateral_filter(__global const float* depth_m, __global float* filtered_m, const MapShape shape,
+                               const FilterParams params) {
+    const int x = (int)get_global_id(0) * 16, y = (int)get_global_id(1);
+    const float16 center_m = vload16(0, depth_m + y * shape.pitch_px + x);
+    if (!any(center_m > 0.0f)) {
+        vstore16((float16)(0.0f), 0, filtered_m + y * shape.pitch_px + x);
+        return;
+    }
+    const float16 sigma_m = (float16)(sigma_z8(params.noise, center_m.lo), sigma_z8(params.noise, center_m.hi));
+    const float16 scale = fmax(0.25f / (params.range_sigmas * sigma_m), 1.0f / fmax(center_m, 1e-3f)), center = center_m * scale;
     const float per_px2 = 1.0f / (16.0f * params.spatial_sigma_px * params.spatial_sigma_px);
-    float8 sum = (float8)(0.0f), weights = (float8)(0.0f);
+    float16 sum = (float16)(0.0f), weights = (float16)(0.0f);
     for (int j = max(-2, -y); j <= min(2, shape.rows_px - 1 - y); ++j) {
-        __global const float* row = depth_m + (y + j) * shape.pitch_px;
         const float middle = 1.0f - (float)(j * j) * per_px2;
         const float nearness[5] = {middle - 4.0f * per_px2, middle - per_px2, middle, middle - per_px2, middle - 4.0f * per_px2};
-        add_taps8(load_or_zero8(row, x - 8, shape), vload8(0, row + x), load_or_zero8(row, x + 8, shape), scale, center,
-                  nearness, &sum, &weights);
+        float16 taps[5];
+        load_taps16(depth_m + (y + j) * shape.pitch_px, x, shape, taps);
+#pragma unroll
+        for (int i = 0; i < 5; ++i) {
+            const float16 off = taps[i] * scale - center;
+            float16 w = fmax(nearness[i] - off * off, 0.0f);
+            w *= w;
+            w *= w;
+            w *= w;
+            sum += w * off;
+            weights += w;
+        }
     }
-    const float8 filtered_m8 = center_m + sum / (fmax(weights, 1e-6f) * scale);
-    vstore8(select((float8)(0.0f), filtered_m8, center_m > 0.0f), 0, filtered_m + y * shape.pitch_px + x);
+    const float16 filtered = center_m + sum / (fmax(weights, 1e-6f) * scale);
+    vstore16(select((float16)(0.0f), filtered, center_m > 0.0f), 0, filtered_m + y * shape.pitch_px + x);
 }
 
 /* The difference of the neighbours on one axis, or of one neighbour and the pixel where the other is missing or more

@@ -15,6 +15,11 @@ LaunchSize eight_pixels_each(const MapShape& shape) {
     return {{columns, static_cast<std::size_t>(shape.rows_px), 1}, {2, TILE_PX, 1}};
 }
 
+LaunchSize sixteen_pixels_each(const MapShape& shape) {
+    const auto columns = static_cast<std::size_t>(shape.pitch_px / TILE_PX);
+    return {{columns, static_cast<std::size_t>(shape.rows_px), 1}, {1, TILE_PX, 1}};
+}
+
 LaunchSize eight_pixels_each(const MapShape& shape, const PixelRegion& region) {
     const PixelRegion tiles = whole_blocks(region, TILE_PX, shape.pitch_px, shape.rows_px);
     return {{static_cast<std::size_t>(tiles.width_px() / 8), static_cast<std::size_t>(tiles.height_px()), 1},

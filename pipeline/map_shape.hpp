@@ -20,9 +20,10 @@ inline std::size_t map_index(const MapShape& shape, int x, int y) {
            static_cast<std::size_t>(x);
 }
 
-/// One work-item for eight pixels along x, over the whole map.
+/// One work-item for eight or sixteen pixels along x, over the whole map.
 LaunchSize eight_pixels_each(const MapShape& shape);
-/// The same over the tiles that hold pixels of the region.
+LaunchSize sixteen_pixels_each(const MapShape& shape);
+/// One for eight pixels, over the tiles that hold pixels of the region.
 LaunchSize eight_pixels_each(const MapShape& shape, const PixelRegion& region);
 
 }  // namespace touchstone

@@ -102,7 +102,7 @@ BilateralFilter::BilateralFilter(const BenchStage& stage)
 
 void BilateralFilter::run() {
     const MapShape& shape = stage_->shape();
-    kernel_.launch(eight_pixels_each(shape), stage_->live().depth_m, filtered_m_, shape, params_);
+    kernel_.launch(sixteen_pixels_each(shape), stage_->live().depth_m, filtered_m_, shape, params_);
     stage_->device().finish();
 }
 
