@@ -117,7 +117,8 @@ CameraTracking::CameraTracking(const Device& device, const CameraTrackingConfig&
         level.intrinsics = k;
         level.shape = make_map_shape(k);
         level.depth_m = Buffer<float>(device, map_pixels(level.shape));
-        if (&level != &levels_.front()) level.normals_c = Buffer<float>(device, 3 * map_pixels(level.shape));
+        if (&level != &levels_.front() || config.finds_normals)
+            level.normals_c = Buffer<float>(device, 3 * map_pixels(level.shape));
         k = half_sized(k);
     }
 }
@@ -134,6 +135,10 @@ void CameraTracking::prepare(const LiveMaps& live, const LivePixels& pixels) {
                           levels_[0].depth_m, live.shape);
         finest_depth_m_ = &levels_[0].depth_m;
     }
+    if (config_.finds_normals) {
+        find_normals(levels_[0], *finest_depth_m_);
+        finest_normals_c_ = &levels_[0].normals_c;
+    }
     const Buffer<float>* source = finest_depth_m_;
     for (std::size_t i = 1; i < levels; ++i) {
         Level& level = levels_[i];
@@ -142,12 +147,16 @@ void CameraTracking::prepare(const LiveMaps& live, const LivePixels& pixels) {
         const LaunchSize size = eight_pixels_each(level.shape, level.region);
         half_sample_.launch(size, *source, level.depth_m, levels_[i - 1].shape, level.shape,
                             config_.half_sample_gap_per_m);
-        normal_map_.launch(size, level.depth_m, level.normals_c, level.shape, level.intrinsics,
-                           config_.normal_gap_per_m);
+        find_normals(level, level.depth_m);
         source = &level.depth_m;
     }
     const Level& coarsest = levels_.back();
     extent_ = measure_extent(coarsest.depth_m, coarsest.intrinsics, coarsest.shape, coarsest.region);
+}
+
+void CameraTracking::find_normals(Level& level, const Buffer<float>& depth_m) {
+    normal_map_.launch(eight_pixels_each(level.shape, level.region), depth_m, level.normals_c, level.shape,
+                       level.intrinsics, config_.normal_gap_per_m);
 }
 
 AlignmentParams CameraTracking::params(int level) const {

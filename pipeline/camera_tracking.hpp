@@ -32,6 +32,7 @@ struct CameraTrackingConfig {
     float intensity_sigma = 0.07f;  ///< of brightness 0..1 between two frames
     float half_sample_gap_per_m = 0.03f;
     float normal_gap_per_m = 0.03f;
+    bool finds_normals = false;     ///< of the finest level, too: those of the live maps are not there yet
     float min_eigenvalue = 0.008f;  ///< directions below it are held
     /// The noise of a young model's normals looks like a constraint, and averages away: of so many frames,
     /// directions below this divided by their number are held, too.
@@ -113,13 +114,15 @@ class CameraTracking {
     struct Level {
         Intrinsics intrinsics{};
         MapShape shape{};
-        PixelRegion region{};              // whole tiles
-        Buffer<float> depth_m, normals_c;  // at level 0 only where pixels are left out
+        PixelRegion region{};  // whole tiles
+        Buffer<float> depth_m,
+            normals_c;  // at level 0 only where pixels are left out; and where normals are to be found
     };
 
     RigidTransform best_guess(const SurfacePrediction& model, std::span<const RigidTransform> guesses);
     void refine(const SurfacePrediction& model, const IntensityPair* intensity, int level,
                 TrackingResult& result);
+    void find_normals(Level& level, const Buffer<float>& depth_m);
     const Buffer<float>& depth_m(int level) const;
     LaunchSize one_row_each(int level, int row_step) const;
     AlignmentSums read_sums(const LaunchSize& size) const;

@@ -24,6 +24,7 @@ CameraTrackingConfig aligning_config(const CameraWatchConfig& config) {
     CameraTrackingConfig tracking = relocalisation_tracking();
     tracking.noise = config.noise;
     tracking.levels[0] = {0, config.fit_distance_m, config.fit_sigmas};
+    tracking.finds_normals = true;
     return tracking;
 }
 

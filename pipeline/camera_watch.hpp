@@ -52,7 +52,7 @@ class CameraWatch {
         int looks = 0;       ///< since the start
     };
 
-    /// `foreground`: pixels other than 0 are left out.
+    /// `live` needs no normals. `foreground`: pixels other than 0 are left out.
     CameraVerdict judge(const LiveMaps& live, const SurfacePrediction& background,
                         const Buffer<std::uint8_t>& foreground);
     /// Learns anew what is usual: the prediction is another.

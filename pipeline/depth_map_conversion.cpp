@@ -24,11 +24,19 @@ DepthMapConversion::DepthMapConversion(const Device& device, const DepthMapConve
 }
 
 void DepthMapConversion::convert(const DepthView& view, LiveMaps& live) {
+    convert_depth(view, live);
+    find_normals(live);
+}
+
+void DepthMapConversion::convert_depth(const DepthView& view, LiveMaps& live) {
     std::ranges::copy(view.depth_mm, depth_mm_.map_write().values().begin());
-    const LaunchSize size = eight_pixels_each(shape_);
-    convert_depth_.launch(size, depth_mm_, live.depth_m, shape_, params_, column_shift_);
+    convert_depth_.launch(eight_pixels_each(shape_), depth_mm_, live.depth_m, shape_, params_, column_shift_);
     bilateral_filter_.launch(sixteen_pixels_each(shape_), live.depth_m, live.filtered_m, shape_, params_);
-    normal_map_.launch(size, live.filtered_m, live.normals_c, shape_, intrinsics_, config_.normal_gap_per_m);
+}
+
+void DepthMapConversion::find_normals(LiveMaps& live) {
+    normal_map_.launch(eight_pixels_each(shape_), live.filtered_m, live.normals_c, shape_, intrinsics_,
+                       config_.normal_gap_per_m);
 }
 
 void DepthMapConversion::set_column_shift(std::span<const float> shift_per_m) {

@@ -27,6 +27,9 @@ class DepthMapConversion {
 
     /// `view` must have the size of the intrinsics given at construction.
     void convert(const DepthView& view, LiveMaps& live);
+    /// The same in two steps: both depths, and the normals where they can wait.
+    void convert_depth(const DepthView& view, LiveMaps& live);
+    void find_normals(LiveMaps& live);
     /// What is added to 1/z of each column from the next frame on, in 1/m: width_px values (slow drift of the
     /// sensor).
     void set_column_shift(std::span<const float> shift_per_m);

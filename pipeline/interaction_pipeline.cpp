@@ -112,7 +112,9 @@ InteractionFrame InteractionPipeline::see(const DepthView& view, std::uint64_t t
     to_follow_ = nullptr;
     {
         const StageTimer timer(times_, "depth map conversion");
-        conversion_.convert(view, live_);
+        conversion_.convert_depth(view, live_);
+        has_normals_ = false;
+        if (!normals_can_wait()) find_normals();
     }
     if (!background_ && !place_volume(view))
         frame.note = "The camera sees nothing between 0.3 and 6 m yet";
@@ -127,9 +129,21 @@ InteractionFrame InteractionPipeline::see(const DepthView& view, std::uint64_t t
     return frame;
 }
 
+/// Touches need none.
+bool InteractionPipeline::normals_can_wait() const {
+    const bool live = background_ && aligning_ == nullptr && scanned_frames_ >= config_.scan_frames;
+    return live && !foreground_model_ && !held_;
+}
+
+void InteractionPipeline::find_normals() {
+    if (!has_normals_) conversion_.find_normals(live_);
+    has_normals_ = true;
+}
+
 void InteractionPipeline::follow() {
     if (to_follow_ != nullptr) {
         const StageTimer whole(times_, "frame");
+        find_normals();
         follow_sensor(*to_follow_);
         if (pose_is_sure_) {
             const StageTimer timer(times_, "volumetric integration, raycast");
@@ -279,6 +293,7 @@ void InteractionPipeline::segment_objects(const Foreground& foreground, std::uin
 
 ShadedView InteractionPipeline::view() {
     if (!background_) return {};
+    find_normals();
     if (!foreground_is_modelled_)
         return rendering_.render(background_->prediction(), {live_.normals_c, *foreground_mask_});
     return rendering_.render(background_->prediction(),

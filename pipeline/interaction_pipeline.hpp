@@ -102,13 +102,15 @@ class InteractionPipeline {
     const ForegroundModel* foreground_model() const {
         return foreground_model_ ? &*foreground_model_ : nullptr;
     }
-    /// As measured, of the last frame.
+    /// As measured, of the last frame; normals from follow() on.
     const LiveMaps& live() const { return live_; }
     /// Stages by the paper's names; "touches out" is all of see(), "frame" that and follow().
     const StageTimes& stage_times() const { return times_; }
     void forget_stage_times() { times_.clear(); }
 
   private:
+    bool normals_can_wait() const;
+    void find_normals();
     bool place_volume(const DepthView& view);
     void scan(const DepthView& view, InteractionFrame& frame);
     bool waits_for_stillness(InteractionFrame& frame);
@@ -133,6 +135,7 @@ class InteractionPipeline {
     StageTimes times_;
     DepthMapConversion conversion_;
     LiveMaps live_;
+    bool has_normals_ = false;  ///< live_, of the last frame
     ScanStillness stillness_;
     ForegroundSegmentation segmentation_;
     ColumnDrift drift_;

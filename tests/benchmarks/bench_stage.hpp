@@ -33,6 +33,8 @@ class BenchStage {
     DepthView view() const { return {frames_.back().depth_mm, intrinsics_}; }
     /// The next frame through the whole live loop; to and fro through the frames that were made.
     void next_frame();
+    /// Of the last frames, from each frame to its touches.
+    StageSummary until_touches() const { return pipeline_->stage_times().summary("touches out"); }
     /// By how much the process grew when the loop was set up and had scanned.
     double loop_memory_mb() const { return loop_memory_mb_; }
 

@@ -105,6 +105,25 @@ TEST_F(CameraTrackingTest, TheGuessThatFitsBetterIsTaken) {
     }
 }
 
+/// Live maps whose normals were not found yet. Normals of neighbouring pixels' vertices are those of the
+/// planes.
+TEST_F(CameraTrackingTest, FindsTheLiveNormalsWhereTheyAreMissing) {
+    const OrientedPicture model = view(test::corner(), T_g_p_);
+    const RigidTransform T_p_c = moved({10.0f, -15.0f, 5.0f}, 1.0f);
+    OrientedPicture live = view(test::corner(), T_g_p_ * T_p_c);
+    std::ranges::fill(live.normals, Eigen::Vector3f(0.0f, 0.0f, 0.0f));
+    EXPECT_EQ(track(live, model).state, TrackingState::lost);
+    CameraTrackingConfig config;
+    config.finds_normals = true;
+    CameraTracking tracking(device_, config, k_);
+    const std::vector<RigidTransform> guesses{RigidTransform::Identity()};
+    const TrackingResult result = tracking.track(live_, prediction_, guesses);
+    EXPECT_EQ(result.state, TrackingState::good) << result.reason;
+    const PoseError error = test::pose_error(result.T_p_c, T_p_c);
+    EXPECT_LT(error.mm, 0.04f);
+    EXPECT_LT(error.deg, 0.004f);
+}
+
 /// Steps are in the prediction's frame: a camera that is rolled by a right angle tracks as well.
 TEST_F(CameraTrackingTest, ARolledCameraTracksAsWell) {
     const RigidTransform T_p_c = moved({5.0f, -5.0f, 3.0f}, 90.0f, {0.0f, 0.0f, 1.0f});
