@@ -125,6 +125,9 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("width_px", config.display.width_px, 160, 7680, "");
     keys.add("height_px", config.display.height_px, 120, 4320, "");
     keys.add("scene", config.display.scene, "what the table shows");
+    keys.section("health");
+    keys.add("port", config.health.port, 0, 65535,
+             "figures of the running table at http://127.0.0.1:PORT/metrics, for Prometheus; 0: none");
     keys.section("log");
     keys.add("level", config.log_level, "debug, info, warning or error");
     return keys.take();

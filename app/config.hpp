@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/health.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "platform/opencl/device.hpp"
 #include "platform/output/tuio_sink.hpp"
@@ -28,6 +29,7 @@ struct Config {
     bool tuio_enabled = true;
     TuioConfig tuio;
     DisplayConfig display;
+    HealthConfig health;
     std::string log_level = "info";
 };
 

@@ -12,6 +12,7 @@ enum class FrameHealth {
     good,
     frozen,  ///< the same picture, pixel by pixel, half a second long: a real sensor's noise forbids that
     blind,   ///< no depth anywhere, half a second long
+    torn,    ///< rows of the picture before among its own
 };
 
 /// Tells pictures of a live camera from those of one that only seems to live.
@@ -20,6 +21,8 @@ class FrameJudge {
     FrameHealth judge(const DepthFrame& frame);
 
   private:
+    bool is_torn(const DepthFrame& frame) const;
+
     std::vector<std::uint16_t> last_mm_;
     int same_ = 0, blind_ = 0;
 };

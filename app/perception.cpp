@@ -1,5 +1,6 @@
 #include "app/perception.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <thread>
 
@@ -45,7 +46,10 @@ bool same_camera(const Intrinsics& a, const Intrinsics& b) {
 }  // namespace
 
 Perception::Perception(const RunOptions& options)
-    : options_(options), device_(device_config(options.config)), sinks_(make_sinks(options)) {
+    : options_(options),
+      device_(device_config(options.config)),
+      health_(options.config.health),
+      sinks_(make_sinks(options)) {
     if (options.maps_dir) maps_.emplace(*options.maps_dir);
     run_self_test(device_);
     log_info("computing on {}", device_.name());
@@ -62,22 +66,31 @@ Perception::~Perception() {
 }
 
 std::optional<TableFrame> Perception::step() {
+    std::optional<TableFrame> result = next();
+    const std::string state = result ? result->state : std::string("ended");
+    health_.tick(std::chrono::steady_clock::now(), state, static_cast<double>(rate_hz_),
+                 pipeline_ ? &pipeline_->stage_times() : nullptr);
+    return result;
+}
+
+std::optional<TableFrame> Perception::next() {
     if (options_.frames && frames_done_ >= *options_.frames) return std::nullopt;
     if (!camera_) return wait_for_camera();
     ReadResult result = camera_->read(read_timeout_ms);
     if (std::holds_alternative<StreamEnd>(result)) return std::nullopt;
     if (auto* frame = std::get_if<DepthFrame>(&result)) {
-        const std::string fault = fault_of(*frame);
-        return fault.empty() ? process(*frame) : without_good_frame(fault);
+        const std::optional<CameraFault> fault = fault_of(*frame);
+        return fault ? without_good_frame(*fault) : process(*frame);
     }
     if (const auto* lost = std::get_if<CameraLost>(&result)) {
         if (!camera_->can_return()) throw Error(ExitStatus::unavailable, lost->reason);
         log_warning("{}", lost->reason);
+        health_.fault("lost");
         drop_camera();
         recovery_.lost(std::chrono::steady_clock::now());
         return without_frame("sensor_lost", "The depth camera is gone: " + lost->reason);
     }
-    return without_good_frame("The depth camera gives no pictures");
+    return without_good_frame({"silent", "The depth camera gives no pictures"});
 }
 
 std::optional<TableFrame> Perception::wait_for_camera() {
@@ -120,6 +133,8 @@ TableFrame Perception::process(const DepthFrame& frame) {
     }
     const InteractionFrame result = pipeline_->see({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
     publish(result, frame);
+    health_.frame(frame.timestamp_us, camera_->rate_hz(),
+                  static_cast<int>(std::ranges::count(result.touches, TouchPhase::down, &TouchEvent::phase)));
     pipeline_->follow();
     recovery_.healthy(std::chrono::steady_clock::now());
     save_scan_when_new(result.state);

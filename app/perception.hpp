@@ -9,6 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/frame_health.hpp"
 #include "app/frame_outputs.hpp"
+#include "app/health.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "platform/camera/depth_camera.hpp"
@@ -17,6 +18,11 @@
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
+
+struct CameraFault {
+    std::string kind;  ///< one word, for counting: silent, frozen, blind, torn, lost, clock
+    std::string note;  ///< for people
+};
 
 /// The perception loop: camera frame -> pipeline -> touches -> sinks. Never waits for the screen.
 class Perception {
@@ -33,13 +39,14 @@ class Perception {
     bool in_lock_step() const { return camera_ && camera_->pace() == Pace::step; }
 
   private:
+    std::optional<TableFrame> next();
     std::optional<TableFrame> wait_for_camera();
     void open_camera();
-    /// What is wrong with a picture of a camera that only seems to live; empty when it is good. Puts its time
-    /// right.
-    std::string fault_of(DepthFrame& frame);
-    TableFrame without_good_frame(const std::string& fault);
-    void help_camera(const std::string& fault);
+    /// What is wrong with a picture of a camera that only seems to live; nothing when it is good. Puts its
+    /// time right.
+    std::optional<CameraFault> fault_of(DepthFrame& frame);
+    TableFrame without_good_frame(const CameraFault& fault);
+    void help_camera(const CameraFault& fault);
     void drop_camera();
     /// The camera gives nothing: no touch outlives that.
     void release_touches();
@@ -64,6 +71,7 @@ class Perception {
     CameraRecovery recovery_;
     FrameJudge judge_;
     SteadyTime time_;
+    Health health_;
     std::string light_state_;
     std::unique_ptr<InteractionPipeline> pipeline_;
     std::optional<VolumeSnapshot> object_;  ///< that is followed in hands

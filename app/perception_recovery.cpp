@@ -14,10 +14,9 @@ std::uint64_t host_time_us() {
     return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
-/// A simulation without noise is frozen wherever nothing moves: only one that is told to freeze is watched.
+/// A simulation without noise is frozen wherever nothing moves.
 bool is_watched(const DepthCamera& camera, const std::string& uri) {
-    return camera.is_device() || uri.find("freeze_at=") != std::string::npos ||
-           uri.find("clock_jump=") != std::string::npos;
+    return camera.is_device() || (uri.starts_with("sim:") && uri.find("noise=0") == std::string::npos);
 }
 
 void keep_cameras_awake() {
@@ -51,6 +50,7 @@ void Perception::open_camera() {
     recovery_.opened(std::chrono::steady_clock::now(),
                      std::max(three_frames, std::chrono::milliseconds(500)));
     judge_ = FrameJudge();
+    health_.camera_opened();
     light_state_.clear();
     if (camera_->is_device()) keep_cameras_awake();
     log_info("reading {}", camera_->name());
@@ -66,40 +66,50 @@ void Perception::release_touches() {
     for (const auto& sink : sinks_) sink->release_all();
 }
 
-std::string Perception::fault_of(DepthFrame& frame) {
-    if (camera_->pace() != Pace::live || !is_watched(*camera_, options_.config.sensor_uri)) return {};
+std::optional<CameraFault> Perception::fault_of(DepthFrame& frame) {
+    if (camera_->pace() != Pace::live || !is_watched(*camera_, options_.config.sensor_uri))
+        return std::nullopt;
     const int jumps = time_.jumps();
     frame.timestamp_us = time_.steady_us(frame.timestamp_us, host_time_us());
-    if (time_.jumps() != jumps) log_warning("{}: its clock has jumped", camera_->name());
+    if (time_.jumps() != jumps) {
+        log_warning("{}: its clock has jumped", camera_->name());
+        health_.fault("clock");
+    }
     switch (judge_.judge(frame)) {
         case FrameHealth::frozen:
-            return "The depth camera gives the same picture again and again";
+            return CameraFault{"frozen", "The depth camera gives the same picture again and again"};
         case FrameHealth::blind:
-            return "The depth camera sees nothing: is it covered?";
+            return CameraFault{"blind", "The depth camera sees nothing: is it covered?"};
+        case FrameHealth::torn:
+            log_warning("{}: half of a picture is from the one before", camera_->name());
+            health_.fault("torn");
+            return CameraFault{"torn", "The depth camera gives torn pictures"};
         case FrameHealth::good:
             break;
     }
-    return {};
+    return std::nullopt;
 }
 
-TableFrame Perception::without_good_frame(const std::string& fault) {
+TableFrame Perception::without_good_frame(const CameraFault& fault) {
     if (camera_->can_return() && camera_->pace() == Pace::live) help_camera(fault);
     for (const auto& sink : sinks_) sink->idle();
-    if (recovery_.ailing() && pipeline_) return without_frame("sensor_lost", fault);
+    if (recovery_.ailing() && pipeline_) return without_frame("sensor_lost", fault.note);
     return last_shown_.state.empty() ? without_frame("starting", "") : last_shown_;
 }
 
-void Perception::help_camera(const std::string& fault) {
+void Perception::help_camera(const CameraFault& fault) {
     const bool ailed = recovery_.ailing();
     const Remedy remedy = recovery_.due(std::chrono::steady_clock::now());
     if (remedy == Remedy::none) return;
     if (!ailed) {
-        log_warning("{}: {}; restarting its stream", camera_->name(), fault);
+        log_warning("{}: {}; restarting its stream", camera_->name(), fault.note);
+        if (fault.kind != "torn") health_.fault(fault.kind);
         release_touches();
         show_light("sensor_lost");
     }
     try {
         if (remedy == Remedy::restart_stream) {
+            health_.restart("stream");
             camera_->restart();
             return;
         }
@@ -107,9 +117,12 @@ void Perception::help_camera(const std::string& fault) {
         log_warning("{}", error.what());
     }
     log_warning("{}: opening it anew", camera_->name());
+    health_.restart("reopened");
     const bool on_usb = camera_->is_device();
     drop_camera();
-    if (remedy == Remedy::reset_and_reopen && on_usb) reset_on_usb();
+    if (remedy != Remedy::reset_and_reopen || !on_usb) return;
+    health_.restart("usb_reset");
+    reset_on_usb();
 }
 
 void Perception::show_light(const std::string& state) {

@@ -11,4 +11,7 @@ inline double peak_rss_mb() {
     return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
 }
 
+/// What it has now, megabytes.
+double resident_mb();
+
 }  // namespace touchstone

@@ -1,10 +1,13 @@
 #include "app/camera_recovery.hpp"
 
+#include <filesystem>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <utility>
 #include <vector>
 
 #include "app/frame_health.hpp"
+#include "platform/image/png_file.hpp"
 
 namespace touchstone {
 namespace {
@@ -93,6 +96,43 @@ TEST(FrameJudge, NothingSeenForHalfASecondIsBlind) {
     for (int i = 0; i < 14; ++i) EXPECT_EQ(judge.judge(frame_of(0, 0)), FrameHealth::good) << i;
     EXPECT_EQ(judge.judge(frame_of(0, 0)), FrameHealth::blind);
     EXPECT_EQ(judge.judge(frame_of(500, 0)), FrameHealth::good);
+}
+
+/// Rows of 8 pixels: those before `from_row` are of this picture, the others of the last one.
+DepthFrame torn_frame(std::uint16_t value, std::uint16_t last_value, int from_row) {
+    DepthFrame frame;
+    frame.width_px = 8;
+    frame.height_px = 20;
+    frame.depth_mm.assign(160, value);
+    std::fill(frame.depth_mm.begin() + 8 * from_row, frame.depth_mm.end(), last_value);
+    return frame;
+}
+
+TEST(FrameJudge, RowsOfThePictureBeforeAreATear) {
+    FrameJudge judge;
+    EXPECT_EQ(judge.judge(torn_frame(900, 900, 20)), FrameHealth::good);
+    EXPECT_EQ(judge.judge(torn_frame(901, 900, 10)), FrameHealth::torn);
+    EXPECT_EQ(judge.judge(torn_frame(902, 902, 20)), FrameHealth::good) << "the next whole one";
+    EXPECT_EQ(judge.judge(torn_frame(903, 902, 13)), FrameHealth::good) << "a few rows are alike by chance";
+    EXPECT_EQ(judge.judge(torn_frame(904, 0, 10)), FrameHealth::good);
+    EXPECT_EQ(judge.judge(torn_frame(905, 0, 10)), FrameHealth::good) << "no depth there, twice";
+}
+
+/// A recording of a real room with somebody in it.
+TEST(FrameJudge, ARealCameraGivesNoTornPictures) {
+    const std::filesystem::path folder = TOUCHSTONE_SHARED_DIR "/data/kinect-room-person";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
+    FrameJudge judge;
+    int frames = 0;
+    for (; std::filesystem::exists(folder / fmt::format("frame-{:06}.depth.png", frames)); ++frames) {
+        const Image16 picture = read_png_16(folder / fmt::format("frame-{:06}.depth.png", frames));
+        DepthFrame frame;
+        frame.width_px = picture.width_px;
+        frame.height_px = picture.height_px;
+        frame.depth_mm = picture.pixels;
+        EXPECT_EQ(judge.judge(frame), FrameHealth::good) << frames;
+    }
+    EXPECT_GT(frames, 100);
 }
 
 TEST(SteadyTime, GoesOnOverJumpsInBothDirections) {

@@ -96,6 +96,7 @@ TEST(RecoveryRun, ATornPictureAndAClockThatJumpsTouchNothing) {
     const ProgramResult result = run_with("sim:flat?hands=0&seed=3&tear=2&clock_jump=3", 130);
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_THAT(result.err, HasSubstr("clock has jumped"));
+    EXPECT_THAT(result.err, HasSubstr("half of a picture is from the one before"));
     std::uint64_t last_us = 0;
     for (const auto& line : lines_of(result)) {
         EXPECT_TRUE(line["touches"].empty()) << line;

@@ -1,12 +1,11 @@
 #include "tests/benchmarks/bench_stage.hpp"
 
-#include <fstream>
 #include <malloc.h>
 #include <stdexcept>
-#include <unistd.h>
 
 #include "pipeline/kernel_program.hpp"
 #include "platform/openni2_drivers/simulator/simulator_source.hpp"
+#include "platform/system/process_memory.hpp"
 
 namespace touchstone {
 
@@ -49,11 +48,9 @@ SourceFrame resized(const SourceFrame& frame, const Intrinsics& from, const Intr
     return result;
 }
 
-double resident_mb() {
+double trimmed_mb() {
     malloc_trim(0);
-    double all_pages = 0.0, resident_pages = 0.0;
-    std::ifstream("/proc/self/statm") >> all_pages >> resident_pages;
-    return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+    return resident_mb();
 }
 
 }  // namespace
@@ -67,11 +64,11 @@ BenchStage::BenchStage(const Device& device, const BenchScene& scene) : device_(
         source.next(frame);
         frames_.push_back(scene.width_px == made.width_px ? frame : resized(frame, made, intrinsics_));
     }
-    const double before_mb = resident_mb();
+    const double before_mb = trimmed_mb();
     pipeline_.emplace(device, config_of(scene.size_vox), intrinsics_);
     for (int i = 0; i < scan_frames; ++i) process(frames_[static_cast<std::size_t>(i)]);
     if (!pipeline_->area()) throw std::runtime_error("the table of the benchmarks was not scanned");
-    loop_memory_mb_ = resident_mb() - before_mb;
+    loop_memory_mb_ = trimmed_mb() - before_mb;
     frames_.erase(frames_.begin(), frames_.begin() + scan_frames);
     live_.emplace(device, make_map_shape(intrinsics_));
     DepthMapConversion(device, {}, intrinsics_).convert(view(), *live_);

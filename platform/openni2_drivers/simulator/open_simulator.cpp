@@ -15,11 +15,12 @@ std::unique_ptr<FrameSource> open_scene(const SimulatorConfig& config) {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> open_simulator(std::string_view uri_after_scheme) {
+std::unique_ptr<FrameSource> open_simulator(std::string_view uri_after_scheme, std::uint64_t opening) {
     const SimulatorConfig config = parse_simulator_uri(uri_after_scheme);
     auto source = open_scene(config);
     if (!config.faults.any()) return source;
-    return std::make_unique<FaultySource>(std::move(source), config.faults);
+    return std::make_unique<FaultySource>(std::move(source), config.faults,
+                                          sim::Random(config.seed, opening));
 }
 
 }  // namespace touchstone

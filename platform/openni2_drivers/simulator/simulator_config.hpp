@@ -47,8 +47,11 @@ struct SimulatorFaults {
     double tear_s = -1.0;        ///< one picture whose lower half is the one before
     double clock_jump_s = -1.0;  ///< the clock goes on an hour later
     double fault_s = 2.0;        ///< how long; 0: until it is restarted
+    double every_s =
+        0.0;  ///< any of them in turn, drawn from the seed, one in so many seconds on average; 0: none
     bool any() const {
-        return unplug_s >= 0 || stall_s >= 0 || freeze_s >= 0 || tear_s >= 0 || clock_jump_s >= 0;
+        return unplug_s >= 0 || stall_s >= 0 || freeze_s >= 0 || tear_s >= 0 || clock_jump_s >= 0 ||
+               every_s > 0;
     }
 };
 

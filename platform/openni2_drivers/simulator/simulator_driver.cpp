@@ -7,7 +7,10 @@ namespace touchstone {
 class SimulatorDriver : public SourceDriver {
   public:
     explicit SimulatorDriver(OniDriverServices* services)
-        : SourceDriver(services, {"sim:", "Touchstone simulator", open_simulator}) {}
+        : SourceDriver(services, {"sim:", "Touchstone simulator",
+                                  [opening = std::uint64_t{0}](std::string_view uri) mutable {
+                                      return open_simulator(uri, opening++);
+                                  }}) {}
 };
 
 }  // namespace touchstone

@@ -28,7 +28,7 @@ class SimulatorSource : public FrameSource {
 };
 
 /// From the part of a sensor URI after `sim:`: a table or a scene of meshes. Throws Error{usage} on an
-/// unknown scene, key or value.
-std::unique_ptr<FrameSource> open_simulator(std::string_view uri_after_scheme);
+/// unknown scene, key or value. `opening` tells one opening of a camera from the next: faults are drawn anew.
+std::unique_ptr<FrameSource> open_simulator(std::string_view uri_after_scheme, std::uint64_t opening = 0);
 
 }  // namespace touchstone

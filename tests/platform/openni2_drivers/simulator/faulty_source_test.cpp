@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <optional>
+#include <set>
 
 #include "tests/support/expect_error.hpp"
 
@@ -54,6 +55,38 @@ TEST(FaultySource, ARestartBeforeTheFaultDoesNotPreventIt) {
     faulty.source.restarted();
     faulty.next();
     EXPECT_TRUE(faulty.next().withheld);
+}
+
+/// Unlike from one opening to the next, alike for the same.
+TEST(FaultySource, FaultsAreDrawnFromSeedAndOpening) {
+    SimulatorFaults faults;
+    faults.every_s = 1.0;
+    faults.fault_s = 0.3;
+    const auto kinds = [&](std::uint64_t opening) {
+        FaultySource source(std::make_unique<Counter>(), faults, sim::Random(5, opening));
+        std::string found;
+        std::uint16_t last = 0;
+        for (int i = 0; i < 100; ++i) {
+            SourceFrame frame;
+            EXPECT_TRUE(source.next(frame));
+            if (frame.back_after_s) return found + "u";
+            found += frame.withheld                        ? 's'
+                     : frame.depth_mm[0] == last           ? 'f'
+                     : frame.timestamp_us >= 3'600'000'000 ? 'c'
+                                                           : '.';
+            last = frame.depth_mm[0];
+        }
+        return found;
+    };
+    std::set<std::string> all;
+    std::string seen;
+    for (std::uint64_t opening = 0; opening < 8; ++opening) {
+        EXPECT_EQ(kinds(opening), kinds(opening));
+        all.insert(kinds(opening));
+        seen += kinds(opening);
+    }
+    EXPECT_GT(all.size(), 6U);
+    for (const char kind : {'u', 's', 'f', 'c', '.'}) EXPECT_NE(seen.find(kind), std::string::npos) << kind;
 }
 
 TEST(FaultySource, FreezesThePictureWhileTimeGoesOn) {

@@ -1,0 +1,10 @@
+touchstone_library(touchstone_recovery_accuracy recovery_run.cpp)
+target_link_libraries(touchstone_recovery_accuracy PRIVATE nlohmann_json::nlohmann_json fmt::fmt)
+
+add_executable(score_recovery score_recovery.cpp)
+target_link_libraries(score_recovery PRIVATE touchstone_recovery_accuracy CLI11::CLI11 fmt::fmt)
+touchstone_warnings(score_recovery)
+
+touchstone_test(scored_recovery_test SOURCES scored_recovery_test.cpp LIBRARIES touchstone_recovery_accuracy LABELS accuracy)
+target_compile_definitions(scored_recovery_test PRIVATE TOUCHSTONE_PROGRAM="$<TARGET_FILE:touchstone>")
+add_dependencies(scored_recovery_test touchstone)
