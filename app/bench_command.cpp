@@ -26,7 +26,8 @@ class Bench {
     Bench(const BenchOptions& options, TerminationSignals& signals)
         : options_(options), signals_(&signals), device_(device_config(options.config)) {
         run_self_test(device_);
-        camera_.emplace(DepthCamera::open(options.config.sensor_uri, options.pace, options.moving));
+        camera_.emplace(DepthCamera::open(options.config.sensor_uri, options.pace, options.moving,
+                                          camera_setup(options.config)));
         log_info("reading {}, computing on {}", camera_->name(), device_.name());
     }
 
@@ -50,7 +51,9 @@ class Bench {
   private:
     /// Whether the frame is measured: the first live one is not, with what runs for the first time in it.
     bool interact(const DepthFrame& frame) {
-        if (!pipeline_) pipeline_.emplace(device_, options_.config.interaction, frame.intrinsics);
+        if (!pipeline_)
+            pipeline_.emplace(device_, interaction_config(options_.config, camera_->model()),
+                              frame.intrinsics);
         const InteractionFrame seen =
             pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
         if (is_live_) return true;
@@ -62,8 +65,9 @@ class Bench {
     bool track(const DepthFrame& frame) {
         const DepthView view{frame.depth_mm, frame.intrinsics};
         if (!reconstruction_)
-            reconstruction_ = begin_reconstruction(device_, options_.config.interaction, view,
-                                                   options_.voxels, options_.side_m);
+            reconstruction_ =
+                begin_reconstruction(device_, interaction_config(options_.config, camera_->model()), view,
+                                     options_.voxels, options_.side_m);
         if (!reconstruction_) return false;
         reconstruction_->process(view, frame.color_rgb);
         return true;

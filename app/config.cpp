@@ -77,11 +77,17 @@ void add_sensor_keys(KeyList& keys, Config& config) {
     DepthMapConversionConfig& conversion = config.interaction.conversion;
     keys.section("sensor");
     keys.add("uri", config.sensor_uri, "sensor URI; empty: the attached camera");
+    keys.add("mode", config.sensor_mode,
+             "WIDTHxHEIGHT@HERTZ of a device's depth picture, e.g. 320x240@60; empty: its model's");
+    keys.add(
+        "models", config.sensor_models,
+        "file of camera models (platform/camera/sensor_models.toml shows the form) before the built-in ones");
     keys.add("min_depth_m", conversion.min_depth_m, 0.1, 5, "nearer readings are invalid");
     keys.add("max_depth_m", conversion.max_depth_m, 0.5, 10, "farther readings are invalid");
     keys.section("noise");
     keys.add("constant_m", config.interaction.noise.constant_m, 0, 0.1,
-             "sigma_z = constant + quadratic (z - offset)^2 + ...");
+             "sigma_z = constant + quadratic (z - offset)^2 + ...; the camera model's where all four are "
+             "left as they are");
     keys.add("quadratic", config.interaction.noise.quadratic, 0, 0.1, "1/m");
     keys.add("offset_m", config.interaction.noise.offset_m, 0, 5, "");
     keys.add("grazing", config.interaction.noise.grazing, 0, 0.1,
@@ -94,6 +100,25 @@ DeviceConfig device_config(const Config& config) {
     DeviceConfig device = config.compute;
     device.cache_dir = default_cache_dir();
     return device;
+}
+
+CameraSetup camera_setup(const Config& config) {
+    if (config.sensor_mode.empty()) return {std::nullopt, config.sensor_models};
+    const std::optional<DepthMode> mode = parse_depth_mode(config.sensor_mode);
+    if (!mode) {
+        throw Error(ExitStatus::configuration,
+                    "sensor.mode \"" + config.sensor_mode + "\" is no WIDTHxHEIGHT@HERTZ, e.g. 640x480@30");
+    }
+    return {mode, config.sensor_models};
+}
+
+InteractionConfig interaction_config(const Config& config, const SensorModel* model) {
+    InteractionConfig result = config.interaction;
+    const SensorNoise &set = config.interaction.noise, untouched = InteractionConfig{}.noise;
+    const bool is_set = set.constant_m != untouched.constant_m || set.quadratic != untouched.quadratic ||
+                        set.offset_m != untouched.offset_m || set.grazing != untouched.grazing;
+    if (model != nullptr && !is_set) result.noise = model->noise;
+    return result;
 }
 
 LogLevel log_level(const Config& config) {

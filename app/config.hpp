@@ -6,6 +6,7 @@
 
 #include "app/health.hpp"
 #include "pipeline/interaction_pipeline.hpp"
+#include "platform/camera/depth_camera.hpp"
 #include "platform/opencl/device.hpp"
 #include "platform/output/tuio_sink.hpp"
 #include "platform/system/log.hpp"
@@ -21,6 +22,8 @@ struct DisplayConfig {
 /// Everything that can be configured; each member's default is the program's.
 struct Config {
     std::string sensor_uri;
+    std::string sensor_mode;    ///< of its depth picture, as parse_depth_mode reads it; empty: the model's
+    std::string sensor_models;  ///< file of camera models before the built-in ones; empty: none
     DeviceConfig compute;
     InteractionConfig interaction;
     std::string scan_file;    ///< empty: the surroundings are scanned at every start
@@ -35,6 +38,13 @@ struct Config {
 
 /// The compute device of the configuration, with the kernel cache in its place.
 DeviceConfig device_config(const Config& config);
+
+/// What the configuration says of the camera. Throws Error{configuration} for a mode that is none.
+CameraSetup camera_setup(const Config& config);
+
+/// The pipeline's configuration for a camera: its model's noise, unless [noise] was changed. `model` may be
+/// null.
+InteractionConfig interaction_config(const Config& config, const SensorModel* model);
 
 /// Throws Error{configuration} for a word that is no level.
 LogLevel log_level(const Config& config);

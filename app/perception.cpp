@@ -168,7 +168,8 @@ TableFrame Perception::process(const DepthFrame& frame) {
 
 void Perception::start_pipeline(const Intrinsics& intrinsics) {
     intrinsics_ = intrinsics;
-    pipeline_ = std::make_unique<InteractionPipeline>(device_, options_.config.interaction, intrinsics_);
+    pipeline_ = std::make_unique<InteractionPipeline>(
+        device_, interaction_config(options_.config, camera_->model()), intrinsics_);
     pipeline_->set_touch_bias(bias_);
     if (object_) pipeline_->follow_object(*object_);
     const std::string& file = options_.config.scan_file;

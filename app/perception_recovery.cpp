@@ -45,7 +45,8 @@ void reset_on_usb() {
 }  // namespace
 
 void Perception::open_camera() {
-    camera_ = DepthCamera::open(options_.config.sensor_uri, options_.pace);
+    camera_ =
+        DepthCamera::open(options_.config.sensor_uri, options_.pace, false, camera_setup(options_.config));
     const std::chrono::milliseconds three_frames(std::lround(3000.0 / camera_->rate_hz()));
     recovery_.opened(std::chrono::steady_clock::now(),
                      std::max(three_frames, std::chrono::milliseconds(500)));
@@ -53,7 +54,7 @@ void Perception::open_camera() {
     health_.camera_opened();
     light_state_.clear();
     if (camera_->is_device()) keep_cameras_awake();
-    log_info("reading {}", camera_->name());
+    log_info("reading {}{}", camera_->name(), camera_->model() ? ", a " + camera_->model()->name : "");
 }
 
 void Perception::drop_camera() {

@@ -78,9 +78,10 @@ struct ScanResult {
 ScanResult scan_surroundings(const ScanOptions& options, TerminationSignals& signals) {
     const Device device(device_config(options.config));
     run_self_test(device);
-    DepthCamera camera = DepthCamera::open(options.config.sensor_uri, options.pace);
+    DepthCamera camera =
+        DepthCamera::open(options.config.sensor_uri, options.pace, false, camera_setup(options.config));
     log_info("reading {}, computing on {}", camera.name(), device.name());
-    FixedScan scan(device, options.config.interaction, camera.intrinsics());
+    FixedScan scan(device, interaction_config(options.config, camera.model()), camera.intrinsics());
     const int wanted =
         options.frames.value_or(std::max(options.config.interaction.scan_frames, least_default_frames));
     int fused = 0;

@@ -78,7 +78,8 @@ class TrackSession {
     TrackSession(const TrackOptions& options, TerminationSignals& signals)
         : options_(options), signals_(&signals), device_(device_config(options.config)) {
         run_self_test(device_);
-        camera_.emplace(DepthCamera::open(options.config.sensor_uri, options.pace, true));
+        camera_.emplace(
+            DepthCamera::open(options.config.sensor_uri, options.pace, true, camera_setup(options.config)));
         if (options.trajectory_file) trajectory_.emplace(*options.trajectory_file);
         log_info("reading {}, computing on {}", camera_->name(), device_.name());
     }
@@ -105,8 +106,9 @@ class TrackSession {
     void process(const DepthFrame& frame) {
         const DepthView view{frame.depth_mm, frame.intrinsics};
         if (!reconstruction_)
-            reconstruction_ = begin_reconstruction(device_, options_.config.interaction, view,
-                                                   options_.voxels, options_.side_m);
+            reconstruction_ =
+                begin_reconstruction(device_, interaction_config(options_.config, camera_->model()), view,
+                                     options_.voxels, options_.side_m);
         if (!reconstruction_) return;
         const ReconstructionFrame result = reconstruction_->process(view, frame.color_rgb);
         tally_.add(frame, result);

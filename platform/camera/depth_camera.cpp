@@ -45,12 +45,14 @@ Pace default_pace(SensorKind kind) {
 }  // namespace
 
 struct DepthCamera::Impl {
-    Impl(const std::string& wanted_uri, std::optional<Pace> wanted_pace, bool with_color);
+    Impl(const std::string& wanted_uri, std::optional<Pace> wanted_pace, bool with_color,
+         const CameraSetup& setup);
     ~Impl();
 
     void open_device();
     void set_pace();
-    void create_streams(bool with_color);
+    void find_model(const std::string& models_file);
+    void create_streams(bool with_color, const std::optional<DepthMode>& mode);
     void create_stream(openni::VideoStream& stream, openni::SensorType sensor, const char* what);
     void start_streams();
     void choose_intrinsics();
@@ -68,12 +70,14 @@ struct DepthCamera::Impl {
     openni::VideoStream depth, color;
     std::optional<Recording> recording;
     bool has_color = false;
+    std::optional<SensorModel> model;
     Intrinsics intrinsics{};
     FramePairing pairing;
     std::string name;
 };
 
-DepthCamera::Impl::Impl(const std::string& wanted_uri, std::optional<Pace> wanted_pace, bool with_color)
+DepthCamera::Impl::Impl(const std::string& wanted_uri, std::optional<Pace> wanted_pace, bool with_color,
+                        const CameraSetup& setup)
     : user_uri(resolve(wanted_uri)),
       kind(classify_sensor(user_uri)),
       uri(user_uri, kind),
@@ -83,7 +87,8 @@ DepthCamera::Impl::Impl(const std::string& wanted_uri, std::optional<Pace> wante
     if (kind == SensorKind::recording) check_recording(user_uri);
     open_device();
     set_pace();
-    create_streams(with_color);
+    if (kind == SensorKind::device) find_model(setup.models_file);
+    create_streams(with_color, setup.mode);
     choose_intrinsics();
     start_streams();
 }
@@ -135,9 +140,17 @@ void DepthCamera::Impl::create_stream(openni::VideoStream& stream, openni::Senso
     if (kind == SensorKind::device) stream.setMirroringEnabled(false);
 }
 
-void DepthCamera::Impl::create_streams(bool with_color) {
+void DepthCamera::Impl::find_model(const std::string& models_file) {
+    const std::vector<SensorModel> models = load_sensor_models(models_file);
+    const openni::DeviceInfo& info = device.getDeviceInfo();
+    if (const SensorModel* found = find_sensor_model(models, info.getUsbVendorId(), info.getUsbProductId()))
+        model = *found;
+}
+
+void DepthCamera::Impl::create_streams(bool with_color, const std::optional<DepthMode>& mode) {
     create_stream(depth, openni::SENSOR_DEPTH, "depth");
-    if (kind == SensorKind::device) choose_depth_mode(depth);
+    if (kind == SensorKind::device)
+        choose_depth_mode(depth, mode.value_or(model ? model->mode : DepthMode{}), mode.has_value());
     has_color = with_color && device.hasSensor(openni::SENSOR_COLOR);
     if (!has_color) {
         pairing.finish();
@@ -158,8 +171,12 @@ void DepthCamera::Impl::start_streams() {
 }
 
 void DepthCamera::Impl::choose_intrinsics() {
-    if (device.getProperty(TOUCHSTONE_DEVICE_PROPERTY_INTRINSICS, &intrinsics) != openni::STATUS_OK) {
-        intrinsics = intrinsics_from_fov(depth);
+    if (device.getProperty(TOUCHSTONE_DEVICE_PROPERTY_INTRINSICS, &intrinsics) == openni::STATUS_OK) return;
+    intrinsics = intrinsics_from_fov(depth);
+    if (!model) return;
+    for (const Intrinsics& known : model->intrinsics) {
+        if (known.width_px == intrinsics.width_px && known.height_px == intrinsics.height_px)
+            intrinsics = known;
     }
 }
 
@@ -189,8 +206,9 @@ DepthCamera::DepthCamera(DepthCamera&&) noexcept = default;
 DepthCamera& DepthCamera::operator=(DepthCamera&&) noexcept = default;
 DepthCamera::~DepthCamera() = default;
 
-DepthCamera DepthCamera::open(const std::string& uri, std::optional<Pace> pace, bool with_color) {
-    return DepthCamera(std::make_unique<Impl>(uri, pace, with_color));
+DepthCamera DepthCamera::open(const std::string& uri, std::optional<Pace> pace, bool with_color,
+                              const CameraSetup& setup) {
+    return DepthCamera(std::make_unique<Impl>(uri, pace, with_color, setup));
 }
 
 ReadResult DepthCamera::read(int timeout_ms) {
@@ -243,6 +261,7 @@ void DepthCamera::show_light(CameraLight light) {
 
 void DepthCamera::stop_recording() { impl_->recording.reset(); }
 
+const SensorModel* DepthCamera::model() const { return impl_->model ? &*impl_->model : nullptr; }
 const Intrinsics& DepthCamera::intrinsics() const { return impl_->intrinsics; }
 double DepthCamera::rate_hz() const { return impl_->depth.getVideoMode().getFps(); }
 Pace DepthCamera::pace() const { return impl_->pace; }

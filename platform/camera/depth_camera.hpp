@@ -6,11 +6,18 @@
 #include <variant>
 
 #include "platform/camera/depth_frame.hpp"
+#include "platform/camera/sensor_models.hpp"
 #include "platform/openni2_drivers/common/frame_source.hpp"
 
 namespace touchstone {
 
 enum class CameraLight { green, blinking_green, red };
+
+/// What of a camera is not left to Touchstone and the camera's driver.
+struct CameraSetup {
+    std::optional<DepthMode> mode;  ///< a device must have it; recordings and simulations are as they are
+    std::string models_file;        ///< of sensor models, before the built-in ones; empty: none
+};
 
 struct ReadTimeout {};  ///< no frame in time; the camera is fine as far as known
 struct StreamEnd {};    ///< after the last frame of a recording, a sequence or a finite simulation
@@ -28,7 +35,7 @@ class DepthCamera {
     /// is played once. with_color is a wish: has_color() tells whether the camera has colour. Throws Error:
     /// unavailable (no device, it cannot be opened), no_input, bad_data, usage.
     static DepthCamera open(const std::string& uri = {}, std::optional<Pace> pace = std::nullopt,
-                            bool with_color = false);
+                            bool with_color = false, const CameraSetup& setup = {});
 
     DepthCamera(DepthCamera&&) noexcept;
     DepthCamera& operator=(DepthCamera&&) noexcept;
@@ -39,6 +46,8 @@ class DepthCamera {
     ReadResult read(int timeout_ms);
 
     const Intrinsics& intrinsics() const;
+    /// Null where the camera is none that is known.
+    const SensorModel* model() const;
     /// Frames a second that the source promises.
     double rate_hz() const;
     Pace pace() const;

@@ -1,9 +1,12 @@
 #include "platform/camera/openni_frame.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fmt/core.h>
 #include <initializer_list>
+#include <tuple>
 
 #include "platform/camera/openni_error.hpp"
 #include "platform/system/error.hpp"
@@ -45,30 +48,48 @@ std::vector<Pixel> copy_rows(const openni::VideoFrameRef& frame, std::size_t row
     return pixels;
 }
 
-/// Resolution nearest to what the pipeline is made for, then rate.
-long mode_score(const openni::VideoMode& mode) {
-    const long pixels = static_cast<long>(mode.getResolutionX()) * mode.getResolutionY();
-    const bool vga = mode.getResolutionX() == 640 && mode.getResolutionY() == 480;
-    constexpr long more_than_any = 1L << 40;
-    return (vga ? more_than_any : pixels * 256) - std::abs(mode.getFps() - 30);
+struct OfferedModes {
+    std::vector<const openni::VideoMode*> openni;
+    std::vector<DepthMode> modes;
+};
+
+OfferedModes offered_modes(openni::VideoStream& stream, std::initializer_list<openni::PixelFormat> formats) {
+    OfferedModes offered;
+    const auto& all = stream.getSensorInfo().getSupportedVideoModes();
+    for (int i = 0; i < all.getSize(); ++i) {
+        if (!is_one_of(all[i].getPixelFormat(), formats)) continue;
+        offered.openni.push_back(&all[i]);
+        offered.modes.push_back({all[i].getResolutionX(), all[i].getResolutionY(), all[i].getFps()});
+    }
+    return offered;
+}
+
+std::string list_of(const std::vector<DepthMode>& modes) {
+    std::string list;
+    for (const DepthMode& mode : modes) {
+        const std::string text = to_text(mode);
+        if (list.find(text) == std::string::npos) list += (list.empty() ? "" : ", ") + text;
+    }
+    return list;
 }
 
 void choose_mode(openni::VideoStream& stream, std::initializer_list<openni::PixelFormat> formats,
-                 const char* what) {
-    const auto& modes = stream.getSensorInfo().getSupportedVideoModes();
-    const openni::VideoMode* best = nullptr;
-    for (int i = 0; i < modes.getSize(); ++i) {
-        if (!is_one_of(modes[i].getPixelFormat(), formats)) continue;
-        if (best == nullptr || mode_score(modes[i]) > mode_score(*best)) best = &modes[i];
-    }
-    if (best == nullptr) {
+                 const char* what, const DepthMode& wish, bool must) {
+    const OfferedModes offered = offered_modes(stream, formats);
+    const std::optional<std::size_t> best = nearest_mode(offered.modes, wish);
+    if (!best) {
         throw Error(ExitStatus::unavailable,
                     fmt::format("the camera has no {} pictures that Touchstone reads", what));
     }
-    if (stream.setVideoMode(*best) != openni::STATUS_OK) {
+    if (must && offered.modes[*best] != wish) {
         throw Error(ExitStatus::unavailable,
-                    fmt::format("the camera refuses {}x{} {} pictures: {}", best->getResolutionX(),
-                                best->getResolutionY(), what, one_line(openni::OpenNI::getExtendedError())));
+                    fmt::format("the camera has no {} pictures of sensor.mode {}; it has {}", what,
+                                to_text(wish), list_of(offered.modes)));
+    }
+    if (stream.setVideoMode(*offered.openni[*best]) != openni::STATUS_OK) {
+        throw Error(ExitStatus::unavailable,
+                    fmt::format("the camera refuses {} {} pictures: {}", to_text(offered.modes[*best]), what,
+                                one_line(openni::OpenNI::getExtendedError())));
     }
 }
 
@@ -131,12 +152,27 @@ Intrinsics intrinsics_from_fov(const openni::VideoStream& stream) {
             {}};
 }
 
-void choose_depth_mode(openni::VideoStream& stream) {
-    choose_mode(stream, {openni::PIXEL_FORMAT_DEPTH_1_MM, openni::PIXEL_FORMAT_DEPTH_100_UM}, "depth");
+std::optional<std::size_t> nearest_mode(std::span<const DepthMode> modes, const DepthMode& wish) {
+    const auto is_worse = [&](const DepthMode& a, const DepthMode& b) {
+        const auto key = [&](const DepthMode& mode) {
+            const bool same_size = mode.width_px == wish.width_px && mode.height_px == wish.height_px;
+            return std::tuple(same_size, same_size ? 0 : mode.width_px * mode.height_px,
+                              -std::abs(mode.rate_hz - wish.rate_hz));
+        };
+        return key(a) < key(b);
+    };
+    const auto best = std::ranges::max_element(modes, is_worse);
+    if (best == modes.end()) return std::nullopt;
+    return static_cast<std::size_t>(best - modes.begin());
+}
+
+void choose_depth_mode(openni::VideoStream& stream, const DepthMode& wish, bool must) {
+    choose_mode(stream, {openni::PIXEL_FORMAT_DEPTH_1_MM, openni::PIXEL_FORMAT_DEPTH_100_UM}, "depth", wish,
+                must);
 }
 
 void choose_color_mode(openni::VideoStream& stream) {
-    choose_mode(stream, {openni::PIXEL_FORMAT_RGB888, openni::PIXEL_FORMAT_GRAY8}, "colour");
+    choose_mode(stream, {openni::PIXEL_FORMAT_RGB888, openni::PIXEL_FORMAT_GRAY8}, "colour", {}, false);
 }
 
 }  // namespace touchstone

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <OpenNI.h>
+#include <optional>
+#include <span>
 
 #include "platform/camera/depth_frame.hpp"
 #include "platform/camera/frame_pairing.hpp"
+#include "platform/camera/sensor_models.hpp"
 
 namespace touchstone {
 
@@ -18,9 +21,13 @@ ColorPicture to_color_picture(const openni::VideoFrameRef& frame);
 /// nominal ones where the driver or the recording gives no fields of view.
 Intrinsics intrinsics_from_fov(const openni::VideoStream& stream);
 
-/// Chooses on a real device 640x480 at 30 Hz, else its largest mode, among the formats we read. Throws
-/// Error{unavailable} where it has none.
-void choose_depth_mode(openni::VideoStream& stream);
+/// The one of a camera's modes that is nearest to what is wished: first the size, else the largest; then the
+/// rate. Nothing where there is none.
+std::optional<std::size_t> nearest_mode(std::span<const DepthMode> modes, const DepthMode& wish);
+
+/// Chooses on a real device the mode nearest to the wish among the formats we read. Throws Error{unavailable}
+/// where it has none, or where it `must` be the one and is not there.
+void choose_depth_mode(openni::VideoStream& stream, const DepthMode& wish, bool must);
 void choose_color_mode(openni::VideoStream& stream);
 
 }  // namespace touchstone

@@ -1,7 +1,7 @@
 // Short form of score_recovery.
-#include "tests/accuracy/recovery_run.hpp"
-
 #include <gtest/gtest.h>
+
+#include "tests/accuracy/recovery_run.hpp"
 
 namespace touchstone {
 namespace {

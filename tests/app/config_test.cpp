@@ -70,5 +70,26 @@ TEST(Config, MissingFileIsNoInput) {
         ExitStatus::no_input, HasSubstr("/nowhere/table.toml"));
 }
 
+TEST(Config, TheModelsNoiseStandsWhereNoneIsSet) {
+    Config config;
+    SensorModel model;
+    model.noise = {0.002f, 0.001f, 0.1f, 0.0f};
+    EXPECT_EQ(interaction_config(config, &model).noise.constant_m, 0.002f);
+    EXPECT_EQ(interaction_config(config, nullptr).noise.constant_m, config.interaction.noise.constant_m);
+    parse_config("[noise]\ngrazing = 0.0002\n", "set", config);
+    EXPECT_EQ(interaction_config(config, &model).noise.grazing, 0.0002f);
+    EXPECT_EQ(interaction_config(config, &model).noise.constant_m, config.interaction.noise.constant_m);
+}
+
+TEST(Config, ASensorModeIsReadOrRefused) {
+    Config config;
+    EXPECT_FALSE(camera_setup(config).mode);
+    config.sensor_mode = "320x240@60";
+    EXPECT_EQ(camera_setup(config).mode, (DepthMode{320, 240, 60}));
+    config.sensor_mode = "fast";
+    expect_error([&] { camera_setup(config); }, ExitStatus::configuration,
+                 ::testing::HasSubstr("sensor.mode \"fast\""));
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -18,6 +18,7 @@
 namespace touchstone {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 constexpr int patient_ms = 10'000;
 
@@ -121,11 +122,23 @@ TEST_F(KinectDriverTest, DepthCameraOpensColourOnlyWhenAsked) {
         ASSERT_NE(frame, nullptr);
         EXPECT_NEAR(frame->intrinsics.fx_px, 575.816F, 1e-3F);
         EXPECT_EQ(frame->depth_mm[1], 1194);
+        ASSERT_NE(camera.model(), nullptr);
+        EXPECT_EQ(camera.model()->name, "Kinect v1");
     }
     EXPECT_EQ(script.color_starts, 0);
     DepthCamera camera = DepthCamera::open("kinect:0", std::nullopt, true);
     camera.read(patient_ms);
     EXPECT_EQ(script.color_starts, 1);
+}
+
+TEST_F(KinectDriverTest, AModeThatItLacksIsRefusedWithThoseThatItHas) {
+    CameraSetup setup;
+    setup.mode = DepthMode{320, 240, 60};
+    expect_error([&] { DepthCamera::open("kinect:0", std::nullopt, false, setup); }, ExitStatus::unavailable,
+                 AllOf(HasSubstr("sensor.mode 320x240@60"), HasSubstr("640x480@30")));
+    setup.mode = DepthMode{640, 480, 30};
+    DepthCamera camera = DepthCamera::open("kinect:0", std::nullopt, false, setup);
+    EXPECT_TRUE(std::holds_alternative<DepthFrame>(camera.read(patient_ms)));
 }
 
 TEST_F(KinectDriverTest, MirroringReversesRows) {
