@@ -29,6 +29,8 @@ std::string health_line(const HealthFigures& before, const HealthFigures& now, d
         now.state, frames, static_cast<double>(frames) / seconds, now.missed_frames - before.missed_frames,
         now.touches - before.touches, total(now.faults) - total(before.faults),
         total(now.restarts) - total(before.restarts));
+    if (now.lost_packets)
+        line += fmt::format(", {} packets lost on USB", *now.lost_packets - before.lost_packets.value_or(0));
     for (const StageSummary& stage : now.stages) {
         if (stage.stage == "frame")
             line += fmt::format(", frame {:.1f} ms (99 % {:.1f})", stage.median_ms, stage.p99_ms);

@@ -68,6 +68,7 @@ Perception::~Perception() {
 std::optional<TableFrame> Perception::step() {
     std::optional<TableFrame> result = next();
     const std::string state = result ? result->state : std::string("ended");
+    if (camera_ && camera_->is_device()) health_.lost_packets(camera_->lost_packets());
     health_.tick(std::chrono::steady_clock::now(), state, static_cast<double>(rate_hz_),
                  pipeline_ ? &pipeline_->stage_times() : nullptr);
     return result;

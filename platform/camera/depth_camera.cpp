@@ -261,6 +261,13 @@ void DepthCamera::show_light(CameraLight light) {
 
 void DepthCamera::stop_recording() { impl_->recording.reset(); }
 
+std::optional<std::uint64_t> DepthCamera::lost_packets() const {
+    unsigned long long packets = 0;
+    if (impl_->device.getProperty(TOUCHSTONE_DEVICE_PROPERTY_LOST_PACKETS, &packets) != openni::STATUS_OK)
+        return std::nullopt;
+    return packets;
+}
+
 const SensorModel* DepthCamera::model() const { return impl_->model ? &*impl_->model : nullptr; }
 const Intrinsics& DepthCamera::intrinsics() const { return impl_->intrinsics; }
 double DepthCamera::rate_hz() const { return impl_->depth.getVideoMode().getFps(); }

@@ -48,6 +48,8 @@ class DepthCamera {
     const Intrinsics& intrinsics() const;
     /// Null where the camera is none that is known.
     const SensorModel* model() const;
+    /// That USB lost so far, of cameras that tell; nothing of others.
+    std::optional<std::uint64_t> lost_packets() const;
     /// Frames a second that the source promises.
     double rate_hz() const;
     Pace pace() const;

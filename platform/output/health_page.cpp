@@ -71,7 +71,7 @@ MetricFamily temperatures(const std::vector<Temperature>& found) {
 }
 
 std::vector<MetricFamily> families(const HealthFigures& figures) {
-    return {
+    std::vector<MetricFamily> all{
         counter("frames_total", "Frames processed", figures.frames),
         counter("missed_frames_total", "Frames that the camera should have given, by its clock",
                 figures.missed_frames),
@@ -83,6 +83,10 @@ std::vector<MetricFamily> families(const HealthFigures& figures) {
         gauge("resident_memory_megabytes", "Memory of the process", figures.resident_mb),
         stage_times(figures.stages),
         temperatures(figures.temperatures)};
+    if (figures.lost_packets)
+        all.push_back(
+            counter("lost_packets_total", "Packets of the camera that USB lost", *figures.lost_packets));
+    return all;
 }
 
 class LatestFigures : public prometheus::Collectable {

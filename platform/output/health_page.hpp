@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct HealthFigures {
     std::string state;
     std::uint64_t frames = 0;                       ///< processed
     std::uint64_t missed_frames = 0;                ///< that the camera should have given, by its clock
+    std::optional<std::uint64_t> lost_packets;      ///< on USB, of cameras that tell
     std::uint64_t touches = 0;                      ///< that went down
     std::map<std::string, std::uint64_t> faults;    ///< of the camera, by kind
     std::map<std::string, std::uint64_t> restarts;  ///< of the camera, by what was done

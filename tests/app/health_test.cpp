@@ -46,15 +46,17 @@ TEST(Health, TheLineTellsTheMinuteNotTheWhole) {
     now.frames = 2800;
     now.missed_frames = 4;
     now.touches = 19;
+    before.lost_packets = 100;
+    now.lost_packets = 107;
     now.faults["silent"] = 1;
     now.restarts["stream"] = 2;
     now.stages = {{"touches out", 6.0, 9.0, 300}, {"frame", 9.96, 14.2, 300}};
     now.resident_mb = 201.4;
     now.temperatures = {{"cpu-thermal", 61.5}};
-    EXPECT_EQ(
-        health_line(before, now, 60.0),
-        "health: live, 1800 frames at 30.0 Hz, 4 missed, 12 touches, 1 faults and 2 restarts of the camera, "
-        "frame 10.0 ms (99 % 14.2), 201 MB, cpu-thermal 62 C");
+    EXPECT_EQ(health_line(before, now, 60.0),
+              "health: live, 1800 frames at 30.0 Hz, 4 missed, 12 touches, 1 faults and 2 restarts of the "
+              "camera, 7 packets lost on USB, "
+              "frame 10.0 ms (99 % 14.2), 201 MB, cpu-thermal 62 C");
 }
 
 }  // namespace

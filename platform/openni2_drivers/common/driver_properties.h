@@ -20,7 +20,10 @@ enum {
     TOUCHSTONE_DEVICE_PROPERTY_TILT = 0x54530005,
     /* TouchstoneVector, read only: gravity as the accelerometer feels it, m/s^2, in the camera's frame (x
        right, y down, z forward, depth picture not mirrored). Kinect. */
-    TOUCHSTONE_DEVICE_PROPERTY_GRAVITY = 0x54530006
+    TOUCHSTONE_DEVICE_PROPERTY_GRAVITY = 0x54530006,
+    /* unsigned long long, read only: packets of depth and colour that USB lost since the driver was loaded. Does
+       not wait. Kinect. */
+    TOUCHSTONE_DEVICE_PROPERTY_LOST_PACKETS = 0x54530007
 };
 
 enum TouchstoneLight {

@@ -1,5 +1,6 @@
 #include "platform/openni2_drivers/kinect/freenect_thread.hpp"
 
+#include <cstdio>
 #include <sys/time.h>
 #include <utility>
 
@@ -10,7 +11,20 @@ constexpr timeval longest_wait{0, 20'000};
 // libusb's word for a signal that came in between.
 constexpr int interrupted = -10;
 
-void keep_quiet(freenect_context*, freenect_loglevel, const char*) {}
+/// Where the thread that libfreenect runs in counts: the library hands nothing of ours to its log.
+std::atomic<std::uint64_t>*& count_of_this_thread() {
+    thread_local std::atomic<std::uint64_t>* count = nullptr;
+    return count;
+}
+
+/// Nothing is printed; lost packets are only told in the log.
+void read_log(freenect_context*, freenect_loglevel, const char* message) {
+    unsigned stream = 0, packets = 0;
+    int end = 0;
+    if (std::sscanf(message, "[Stream %x] Lost %u packets%n", &stream, &packets, &end) != 2 || end == 0)
+        return;
+    if (count_of_this_thread() != nullptr) *count_of_this_thread() += packets;
+}
 
 }  // namespace
 
@@ -37,12 +51,14 @@ void FreenectThread::open_context() {
         context_ = nullptr;
         return;
     }
-    freenect_set_log_callback(context_, keep_quiet);
+    freenect_set_log_callback(context_, read_log);
+    freenect_set_log_level(context_, FREENECT_LOG_INFO);
     freenect_select_subdevices(
         context_, static_cast<freenect_device_flags>(FREENECT_DEVICE_CAMERA | FREENECT_DEVICE_MOTOR));
 }
 
 void FreenectThread::loop() {
+    count_of_this_thread() = &lost_packets_;
     std::unique_lock lock(mutex_);
     while (!ending_) {
         if (streams_ == 0) posted_.wait(lock, [this] { return !work_.empty(); });

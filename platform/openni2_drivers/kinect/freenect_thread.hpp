@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <mutex>
@@ -37,6 +38,9 @@ class FreenectThread {
     void stream_started() { ++streams_; }
     void stream_stopped() { --streams_; }
 
+    /// That libfreenect has told of. From any thread.
+    std::uint64_t lost_packets() const { return lost_packets_; }
+
   private:
     void post(std::function<void()> work);
     void loop();
@@ -44,6 +48,7 @@ class FreenectThread {
     void take_pictures();
 
     std::function<void()> lost_;
+    std::atomic<std::uint64_t> lost_packets_ = 0;
     freenect_context* context_ = nullptr;
     std::mutex mutex_;
     std::condition_variable posted_;

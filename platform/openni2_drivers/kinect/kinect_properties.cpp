@@ -39,6 +39,8 @@ bool is_motor_property(int id) {
 }  // namespace
 
 OniStatus KinectDevice::getProperty(int id, void* data, int* size) {
+    if (id == TOUCHSTONE_DEVICE_PROPERTY_LOST_PACKETS)
+        return give_property(static_cast<unsigned long long>(thread_.lost_packets()), data, size);
     return thread_.run([&](freenect_context*) { return get(id, data, size); });
 }
 
@@ -47,8 +49,8 @@ OniStatus KinectDevice::setProperty(int id, const void* data, int size) {
 }
 
 OniBool KinectDevice::isPropertySupported(int id) {
-    return id == TOUCHSTONE_DEVICE_PROPERTY_INTRINSICS || id == ONI_DEVICE_PROPERTY_IMAGE_REGISTRATION ||
-           (has_motor_ && is_motor_property(id));
+    return id == TOUCHSTONE_DEVICE_PROPERTY_INTRINSICS || id == TOUCHSTONE_DEVICE_PROPERTY_LOST_PACKETS ||
+           id == ONI_DEVICE_PROPERTY_IMAGE_REGISTRATION || (has_motor_ && is_motor_property(id));
 }
 
 OniBool KinectDevice::isImageRegistrationModeSupported(OniImageRegistrationMode mode) {

@@ -13,6 +13,7 @@ namespace touchstone {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// What a GET of the page at this address gives, head and all; empty where nobody answers.
 std::string get(const std::string& host, int port) {
@@ -45,6 +46,7 @@ TEST(HealthPage, ShowsTheLatestFigures) {
     figures.temperatures = {{"cpu-thermal", 61.5}};
     page.show(figures);
     const std::string text = get("127.0.0.1", page.port());
+    EXPECT_THAT(text, Not(HasSubstr("lost_packets"))) << "a camera that does not tell";
     EXPECT_THAT(text, HasSubstr("200 OK"));
     EXPECT_THAT(text, HasSubstr("# TYPE touchstone_frames_total counter\ntouchstone_frames_total 1799"));
     EXPECT_THAT(text, HasSubstr("touchstone_camera_faults_total{kind=\"frozen\"} 2"));
@@ -52,6 +54,7 @@ TEST(HealthPage, ShowsTheLatestFigures) {
     EXPECT_THAT(text, HasSubstr("touchstone_stage_milliseconds{stage=\"frame\",quantile=\"0.99\"} 14.25"));
     EXPECT_THAT(text, HasSubstr("touchstone_temperature_celsius{zone=\"cpu-thermal\"} 61.5"));
     figures.state = "sensor_lost";
+    figures.lost_packets = 12;
     page.show(figures);
     EXPECT_THAT(get("127.0.0.1", page.port()), HasSubstr("touchstone_state{state=\"sensor_lost\"} 1"));
 }

@@ -131,6 +131,17 @@ TEST_F(KinectDriverTest, DepthCameraOpensColourOnlyWhenAsked) {
     EXPECT_EQ(script.color_starts, 1);
 }
 
+TEST_F(KinectDriverTest, LostPacketsAreCounted) {
+    DepthCamera camera = DepthCamera::open();
+    ASSERT_TRUE(std::holds_alternative<DepthFrame>(camera.read(patient_ms)));
+    const auto before = camera.lost_packets();
+    ASSERT_TRUE(before);
+    script.loses_packets = 3;
+    EXPECT_TRUE(becomes_true([&] { return camera.lost_packets() == *before + 3; }));
+    script.loses_packets = 200;
+    EXPECT_TRUE(becomes_true([&] { return camera.lost_packets() == *before + 203; }));
+}
+
 TEST_F(KinectDriverTest, AModeThatItLacksIsRefusedWithThoseThatItHas) {
     CameraSetup setup;
     setup.mode = DepthMode{320, 240, 60};

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <libfreenect.h>
 #include <libfreenect_registration.h>
 #include <thread>
@@ -11,6 +12,8 @@ using touchstone::ScriptedFreenect;
 
 struct _freenect_context {
     int flags;
+    freenect_log_cb log = nullptr;
+    freenect_loglevel level = FREENECT_LOG_WARNING;
 };
 struct _freenect_device {
     void* user = nullptr;
@@ -53,6 +56,16 @@ void send_pictures(freenect_device* device) {
     }
 }
 
+/// In libfreenect's words.
+void tell_lost_packets(freenect_context* context) {
+    const int packets = script().loses_packets.exchange(0);
+    if (packets == 0 || context->log == nullptr || context->level < FREENECT_LOG_INFO) return;
+    context->log(context, FREENECT_LOG_INFO, fmt::format("[Stream 70] Lost {} packets\n", packets).c_str());
+    context->log(context, FREENECT_LOG_INFO,
+                 "[Stream 70] Lost 999 total packets in 100 frames (9.99 lppf)\n");
+    context->log(context, FREENECT_LOG_INFO, "[Stream 70] Lost too many packets, resyncing...\n");
+}
+
 }  // namespace
 
 ScriptedFreenect& ScriptedFreenect::instance() {
@@ -63,7 +76,7 @@ ScriptedFreenect& ScriptedFreenect::instance() {
 extern "C" {
 
 int freenect_init(freenect_context** context, freenect_usb_context*) {
-    *context = new freenect_context{0};
+    *context = new freenect_context{};
     ++script().contexts;
     return 0;
 }
@@ -72,7 +85,10 @@ int freenect_shutdown(freenect_context* context) {
     --script().contexts;
     return 0;
 }
-void freenect_set_log_callback(freenect_context*, freenect_log_cb) {}
+void freenect_set_log_callback(freenect_context* context, freenect_log_cb callback) {
+    context->log = callback;
+}
+void freenect_set_log_level(freenect_context* context, freenect_loglevel level) { context->level = level; }
 void freenect_select_subdevices(freenect_context* context, freenect_device_flags flags) {
     context->flags = flags;
 }
@@ -133,7 +149,8 @@ int freenect_stop_video(freenect_device* device) {
     device->video_on = false;
     return 0;
 }
-int freenect_process_events_timeout(freenect_context*, timeval*) {
+int freenect_process_events_timeout(freenect_context* context, timeval*) {
+    tell_lost_packets(context);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (script().gone) {
         for (freenect_device* device : open_devices()) {

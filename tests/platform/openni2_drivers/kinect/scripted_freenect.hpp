@@ -21,6 +21,7 @@ struct ScriptedFreenect {
     std::atomic<std::uint16_t> raw = 800;    ///< of every depth pixel but the first, which is invalid
     std::atomic<std::uint32_t> ticks = 600;  ///< of the next picture; 2'000'000 more for each
     std::atomic<bool> own_calibration = false;
+    std::atomic<int> loses_packets = 0;  ///< in the next call of process_events, told once in the log
 
     std::atomic<int> contexts = 0, opened = 0, depth_streams = 0, color_streams = 0;
     std::atomic<int> color_starts = 0, registrations = 0, led = -1;
