@@ -56,7 +56,9 @@ TEST(HealthPage, ShowsTheLatestFigures) {
     figures.state = "sensor_lost";
     figures.lost_packets = 12;
     page.show(figures);
-    EXPECT_THAT(get("127.0.0.1", page.port()), HasSubstr("touchstone_state{state=\"sensor_lost\"} 1"));
+    const std::string later = get("127.0.0.1", page.port());
+    EXPECT_THAT(later, HasSubstr("touchstone_state{state=\"sensor_lost\"} 1"));
+    EXPECT_THAT(later, HasSubstr("touchstone_lost_packets_total 12"));
 }
 
 TEST(HealthPage, IsForThisMachineOnly) {
