@@ -29,6 +29,12 @@ struct ModelArguments {
     std::string scan, mesh, trajectory;
 };
 
+struct RecordArguments {
+    SourceArguments source;
+    std::string oni;
+    bool color = false;
+};
+
 struct BenchArguments {
     SourceArguments source;
     std::string json;
@@ -58,7 +64,7 @@ const CLI::Validator volume_side(
     },
     "");
 
-CLI::Option* add_source_options(CLI::App& app, SourceArguments& arguments) {
+CLI::Option* add_camera_options(CLI::App& app, SourceArguments& arguments) {
     CLI::Option* sensor =
         app.add_option("--sensor", arguments.sensor,
                        "PATH.oni, seq:DIR, sim:SCENE?key=value&...; default: the attached camera");
@@ -66,6 +72,12 @@ CLI::Option* add_source_options(CLI::App& app, SourceArguments& arguments) {
         ->check(CLI::IsMember({"live", "step"}));
     app.add_option("--config", arguments.config_file, "TOML file; see run --print-config");
     app.add_option("--frames", arguments.frames, "end after so many frames")->check(CLI::PositiveNumber);
+    return sensor;
+}
+
+/// Also the volume that its frames are fused into.
+CLI::Option* add_source_options(CLI::App& app, SourceArguments& arguments) {
+    CLI::Option* sensor = add_camera_options(app, arguments);
     app.add_option("--voxels", arguments.voxels, "along a side of the volume, default 512")
         ->check(volume_size);
     app.add_option("--side", arguments.side_m, "of the volume, metres; default: as seen, track: 4.8")
@@ -112,6 +124,14 @@ CLI::App* add_track(CLI::App& app, ModelArguments& arguments) {
     add_scan_file(*track, arguments);
     add_mesh_file(*track, arguments);
     return track;
+}
+
+CLI::App* add_record(CLI::App& app, RecordArguments& arguments) {
+    CLI::App* record = app.add_subcommand("record", "write what the camera gives to an .oni file");
+    add_camera_options(*record, arguments.source);
+    record->add_flag("--color", arguments.color, "colour too, where the camera has it");
+    record->add_option("FILE.oni", arguments.oni, "the file")->check(not_empty)->required();
+    return record;
 }
 
 CLI::App* add_bench(CLI::App& app, BenchArguments& arguments) {
@@ -202,6 +222,11 @@ TrackOptions to_track_options(const ModelArguments& arguments) {
     return options;
 }
 
+RecordOptions to_record_options(const RecordArguments& arguments) {
+    return {to_config(arguments.source), to_pace(arguments.source), arguments.source.frames, arguments.color,
+            arguments.oni};
+}
+
 BenchOptions to_bench_options(const BenchArguments& arguments) {
     BenchOptions options;
     options.config = to_config(arguments.source);
@@ -235,6 +260,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_run_options(*app.add_subcommand("run", "the table (no sub-command means run)"), run_arguments);
     const CLI::App* scan = add_scan(app, model_arguments);
     const CLI::App* track = add_track(app, model_arguments);
+    RecordArguments record_arguments;
+    const CLI::App* record = add_record(app, record_arguments);
     BenchArguments bench_arguments;
     const CLI::App* bench = add_bench(app, bench_arguments);
     CheckOptions check_options;
@@ -249,11 +276,12 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, std::string(error.what()) + "; see touchstone --help");
     }
-    for (const CLI::App* command : {scan, track, bench, check}) {
+    for (const CLI::App* command : {scan, track, record, bench, check}) {
         if (command->parsed()) check_no_options_before(app, command->get_name());
     }
     if (scan->parsed()) return to_scan_options(model_arguments);
     if (track->parsed()) return to_track_options(model_arguments);
+    if (record->parsed()) return to_record_options(record_arguments);
     if (bench->parsed()) return to_bench_options(bench_arguments);
     if (check->parsed()) return check_options;
     RunOptions options = to_run_options(run_arguments);

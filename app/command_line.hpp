@@ -41,6 +41,15 @@ struct TrackOptions {
     std::optional<int> frames;
 };
 
+/// `touchstone record`: what the camera gives, in a file that is a sensor itself.
+struct RecordOptions {
+    Config config;
+    std::optional<Pace> pace;  ///< else the source's own
+    std::optional<int> frames;
+    bool with_color = false;
+    std::string oni_file;
+};
+
 /// `touchstone bench`: how long the frames of `run`, or of `track`, take.
 struct BenchOptions {
     Config config;
@@ -63,7 +72,8 @@ struct PrintedText {
     std::string text;
 };
 
-using Command = std::variant<RunOptions, ScanOptions, TrackOptions, BenchOptions, CheckOptions, PrintedText>;
+using Command = std::variant<RunOptions, ScanOptions, TrackOptions, RecordOptions, BenchOptions, CheckOptions,
+                             PrintedText>;
 
 /// Throws Error{usage} for what is not understood, Error{configuration or no_input} for the configuration
 /// file.

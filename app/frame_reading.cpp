@@ -20,7 +20,7 @@ std::optional<DepthFrame> read_frame(DepthCamera& camera, TerminationSignals& si
         if (auto* frame = std::get_if<DepthFrame>(&result)) return std::move(*frame);
         if (std::holds_alternative<StreamEnd>(result)) return std::nullopt;
         if (const auto* lost = std::get_if<CameraLost>(&result))
-            throw Error(ExitStatus::unavailable, camera.name() + ": " + lost->reason);
+            throw Error(ExitStatus::unavailable, lost->reason);
         if (std::chrono::steady_clock::now() - start > patience)
             throw Error(ExitStatus::unavailable,
                         camera.name() + " gives no pictures: unplug it and plug it in again");

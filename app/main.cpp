@@ -4,6 +4,7 @@
 #include "app/bench_command.hpp"
 #include "app/check_command.hpp"
 #include "app/command_line.hpp"
+#include "app/record_command.hpp"
 #include "app/run_command.hpp"
 #include "app/scan_command.hpp"
 #include "app/track_command.hpp"
@@ -20,6 +21,8 @@ touchstone::ExitStatus execute(const touchstone::Command& command) {
         return touchstone::scan_command(*scan);
     if (const auto* track = std::get_if<touchstone::TrackOptions>(&command))
         return touchstone::track_command(*track);
+    if (const auto* record = std::get_if<touchstone::RecordOptions>(&command))
+        return touchstone::record_command(*record);
     if (const auto* bench = std::get_if<touchstone::BenchOptions>(&command))
         return touchstone::bench_command(*bench);
     if (const auto* check = std::get_if<touchstone::CheckOptions>(&command))

@@ -55,6 +55,7 @@ struct DepthCamera::Impl {
     void create_streams(bool with_color, const std::optional<DepthMode>& mode);
     void create_stream(openni::VideoStream& stream, openni::SensorType sensor, const char* what);
     void start_streams();
+    void stop_streams();
     void choose_intrinsics();
     void take(int ready);
     ReadResult ending();
@@ -68,6 +69,7 @@ struct DepthCamera::Impl {
     Pace pace;
     openni::Device device;
     openni::VideoStream depth, color;
+    std::string recorded_path;
     std::optional<Recording> recording;
     bool has_color = false;
     std::optional<SensorModel> model;
@@ -95,8 +97,7 @@ DepthCamera::Impl::Impl(const std::string& wanted_uri, std::optional<Pace> wante
 
 DepthCamera::Impl::~Impl() {
     recording.reset();
-    color.stop();
-    depth.stop();
+    stop_streams();
     // After the end the stock player's thread walks its list of streams without pause and without a lock;
     // once they are stopped it does so every 10 ms. Let it come to rest before the list changes under it.
     if (kind == SensorKind::recording) std::this_thread::sleep_for(player_rest);
@@ -168,6 +169,11 @@ void DepthCamera::Impl::start_streams() {
         throw Error(ExitStatus::unavailable, fmt::format("{} does not start: {}", user_uri,
                                                          one_line(openni::OpenNI::getExtendedError())));
     }
+}
+
+void DepthCamera::Impl::stop_streams() {
+    color.stop();
+    depth.stop();
 }
 
 void DepthCamera::Impl::choose_intrinsics() {
@@ -243,12 +249,17 @@ ReadResult DepthCamera::read(int timeout_ms) {
 }
 
 void DepthCamera::start_recording(const std::string& path) {
+    // OpenNI tells that a recorder has begun only by a file that has stopped growing, which it does not while
+    // frames come.
+    const bool runs_by_itself = impl_->pace == Pace::live;
+    if (runs_by_itself) impl_->stop_streams();
+    impl_->recorded_path = path;
     impl_->recording.emplace(path, impl_->depth, impl_->color);
+    if (runs_by_itself) impl_->start_streams();
 }
 
 void DepthCamera::restart() {
-    impl_->color.stop();
-    impl_->depth.stop();
+    impl_->stop_streams();
     impl_->start_streams();
 }
 
@@ -259,7 +270,10 @@ void DepthCamera::show_light(CameraLight light) {
     if (is_device()) impl_->device.setProperty(TOUCHSTONE_DEVICE_PROPERTY_LIGHT, shown);
 }
 
-void DepthCamera::stop_recording() { impl_->recording.reset(); }
+int DepthCamera::stop_recording() {
+    impl_->recording.reset();
+    return count_recorded_frames(impl_->recorded_path);
+}
 
 std::optional<std::uint64_t> DepthCamera::lost_packets() const {
     unsigned long long packets = 0;

@@ -80,6 +80,13 @@ Descriptor open_beside(const std::filesystem::path& path) {
     return Descriptor(fd);
 }
 
+/// Flushes the file beside `path` to the disk and renames it.
+void put_in_place(Descriptor& file, const std::filesystem::path& path) {
+    if (::fsync(file.get()) != 0) fail(path, "flush", errno);
+    if (!file.close()) fail(path, "close", errno);
+    if (::rename(beside(path).c_str(), path.c_str()) != 0) fail(path, "rename", errno);
+}
+
 }  // namespace
 
 void check_writable(const std::filesystem::path& path) {
@@ -91,11 +98,25 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
     Descriptor file = open_beside(path);
     TemporaryFile temporary(beside(path));
     write_all(file.get(), bytes, path);
-    if (::fsync(file.get()) != 0) fail(path, "flush", errno);
-    if (!file.close()) fail(path, "close", errno);
-    if (::rename(beside(path).c_str(), path.c_str()) != 0) fail(path, "rename", errno);
+    put_in_place(file, path);
     temporary.keep();
     sync_folder(path);
+}
+
+PendingFile::PendingFile(std::filesystem::path path) : path_(std::move(path)), name_(beside(path_)) {
+    open_beside(path_);
+}
+
+PendingFile::~PendingFile() {
+    if (!committed_) ::unlink(name_.c_str());
+}
+
+void PendingFile::commit() {
+    Descriptor file(::open(name_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (file.get() < 0) fail(path_, "open the file beside it", errno);
+    put_in_place(file, path_);
+    committed_ = true;
+    sync_folder(path_);
 }
 
 }  // namespace touchstone

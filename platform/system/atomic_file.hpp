@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace touchstone {
@@ -13,5 +14,25 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view b
 /// Throws Error{io_error} where a file cannot be written at `path` now: before hours of work for it. Changes
 /// nothing.
 void check_writable(const std::filesystem::path& path);
+
+/// The same for a library that writes a file by its name: it writes to name(), an empty file beside `path`
+/// at first. Removed unless commit() puts it in its place.
+class PendingFile {
+  public:
+    /// Throws Error{io_error}.
+    explicit PendingFile(std::filesystem::path path);
+    ~PendingFile();
+    PendingFile(const PendingFile&) = delete;
+    PendingFile& operator=(const PendingFile&) = delete;
+
+    const std::string& name() const { return name_; }
+    /// Once, after the library has closed it. Throws Error{io_error}.
+    void commit();
+
+  private:
+    std::filesystem::path path_;
+    std::string name_;
+    bool committed_ = false;
+};
 
 }  // namespace touchstone

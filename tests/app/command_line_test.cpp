@@ -97,6 +97,25 @@ TEST(CommandLine, TrackHasItsOwnVolume) {
     EXPECT_EQ(whole.pace, Pace::live);
 }
 
+TEST(CommandLine, RecordNeedsAFileAndTakesNoVolume) {
+    const RecordOptions plain = std::get<RecordOptions>(parse({"record", "table.oni"}));
+    EXPECT_EQ(plain.oni_file, "table.oni");
+    EXPECT_EQ(plain.config.sensor_uri, "") << "the attached camera";
+    EXPECT_FALSE(plain.pace || plain.frames || plain.with_color);
+    const RecordOptions whole = std::get<RecordOptions>(
+        parse({"record", "--sensor", "sim:flat", "a.oni", "--frames", "9", "--pace", "step", "--color"}));
+    EXPECT_EQ(whole.config.sensor_uri, "sim:flat");
+    EXPECT_EQ(whole.frames, 9);
+    EXPECT_EQ(whole.pace, Pace::step);
+    EXPECT_TRUE(whole.with_color);
+    for (const auto& words : std::vector<std::vector<const char*>>{{"record"},
+                                                                   {"record", ""},
+                                                                   {"record", "a.oni", "b.oni"},
+                                                                   {"record", "a.oni", "--frames", "0"},
+                                                                   {"record", "a.oni", "--voxels", "128"}})
+        expect_error([&] { (void)parse(words); }, ExitStatus::usage, testing::HasSubstr("--help"));
+}
+
 TEST(CommandLine, VolumeOfTheFixedCamera) {
     const BackgroundConfig voxels =
         std::get<RunOptions>(parse({"run", "--voxels", "128"})).config.interaction.background;

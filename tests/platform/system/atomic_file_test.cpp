@@ -92,5 +92,24 @@ TEST_F(AtomicFile, WhetherItCanBeWrittenIsKnownBefore) {
     EXPECT_EQ(files(), 1u);
 }
 
+TEST_F(AtomicFile, APendingFileTakesItsPlaceWhenItIsDone) {
+    const std::filesystem::path path = folder_ / "table.oni";
+    std::ofstream(path) << "old";
+    {
+        PendingFile given_up(path);
+        std::ofstream(given_up.name()) << "half";
+    }
+    EXPECT_EQ(content_of(path), "old");
+    EXPECT_EQ(files(), 1u);
+    PendingFile done(path);
+    std::ofstream(done.name()) << "whole";
+    EXPECT_EQ(content_of(path), "old");
+    done.commit();
+    EXPECT_EQ(content_of(path), "whole");
+    EXPECT_EQ(files(), 1u);
+    EXPECT_THROW(PendingFile("/nowhere/table.oni"), Error);
+    EXPECT_THROW(PendingFile{folder_}, Error);
+}
+
 }  // namespace
 }  // namespace touchstone
