@@ -116,6 +116,10 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("bias_file", config.bias_file,
              "what the touched crosses told; where it is not there yet, the table asks to touch them; empty: "
              "neither");
+    keys.section("health");
+    keys.add("fault_dir", config.fault_reports.dir,
+             "folder for what the camera gave in the 10 s before it failed, to replay; empty: none");
+    keys.add("fault_reports", config.fault_reports.most, 1, 1000, "older ones are deleted");
     keys.section("tuio");
     keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");

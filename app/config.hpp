@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/fault_reports.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "platform/opencl/device.hpp"
 #include "platform/output/tuio_sink.hpp"
@@ -25,6 +26,7 @@ struct Config {
     std::string scan_file;    ///< empty: the surroundings are scanned at every start
     std::string object_file;  ///< scan of an object that is followed in hands; empty: none
     std::string bias_file;    ///< of touches; empty: none is taken off
+    FaultReportsConfig fault_reports;
     bool tuio_enabled = true;
     TuioConfig tuio;
     DisplayConfig display;
