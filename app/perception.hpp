@@ -7,6 +7,7 @@
 
 #include "app/camera_recovery.hpp"
 #include "app/command_line.hpp"
+#include "app/fault_reports.hpp"
 #include "app/frame_health.hpp"
 #include "app/frame_outputs.hpp"
 #include "pipeline/cross_step.hpp"
@@ -35,11 +36,12 @@ class Perception {
   private:
     std::optional<TableFrame> wait_for_camera();
     void open_camera();
-    /// What is wrong with a picture of a camera that only seems to live; empty when it is good. Puts its time
-    /// right.
-    std::string fault_of(DepthFrame& frame);
-    TableFrame without_good_frame(const std::string& fault);
-    void help_camera(const std::string& fault);
+    /// What is wrong with a picture of a camera that only seems to live; nothing when it is good. Puts its
+    /// time right.
+    std::optional<CameraFault> fault_of(DepthFrame& frame);
+    TableFrame without_good_frame(const CameraFault& fault);
+    void help_camera(const CameraFault& fault);
+    TableFrame without_camera(const std::string& reason);
     void drop_camera();
     /// The camera gives nothing: no touch outlives that.
     void release_touches();
@@ -64,6 +66,7 @@ class Perception {
     CameraRecovery recovery_;
     FrameJudge judge_;
     SteadyTime time_;
+    std::optional<FaultReports> fault_reports_;
     std::string light_state_;
     std::unique_ptr<InteractionPipeline> pipeline_;
     std::optional<VolumeSnapshot> object_;  ///< that is followed in hands

@@ -66,35 +66,44 @@ void Perception::release_touches() {
     for (const auto& sink : sinks_) sink->release_all();
 }
 
-std::string Perception::fault_of(DepthFrame& frame) {
+std::optional<CameraFault> Perception::fault_of(DepthFrame& frame) {
     if (camera_->pace() != Pace::live || !is_watched(*camera_, options_.config.sensor_uri)) return {};
     const int jumps = time_.jumps();
     frame.timestamp_us = time_.steady_us(frame.timestamp_us, host_time_us());
     if (time_.jumps() != jumps) log_warning("{}: its clock has jumped", camera_->name());
     switch (judge_.judge(frame)) {
         case FrameHealth::frozen:
-            return "The depth camera gives the same picture again and again";
+            return frozen_camera;
         case FrameHealth::blind:
-            return "The depth camera sees nothing: is it covered?";
+            return blind_camera;
         case FrameHealth::good:
             break;
     }
     return {};
 }
 
-TableFrame Perception::without_good_frame(const std::string& fault) {
+TableFrame Perception::without_camera(const std::string& reason) {
+    log_warning("{}", reason);
+    if (fault_reports_) fault_reports_->report("lost");
+    drop_camera();
+    recovery_.lost(std::chrono::steady_clock::now());
+    return without_frame("sensor_lost", "The depth camera is gone: " + reason);
+}
+
+TableFrame Perception::without_good_frame(const CameraFault& fault) {
     if (camera_->can_return() && camera_->pace() == Pace::live) help_camera(fault);
     for (const auto& sink : sinks_) sink->idle();
-    if (recovery_.ailing() && pipeline_) return without_frame("sensor_lost", fault);
+    if (recovery_.ailing() && pipeline_) return without_frame("sensor_lost", std::string(fault.text));
     return last_shown_.state.empty() ? without_frame("starting", "") : last_shown_;
 }
 
-void Perception::help_camera(const std::string& fault) {
+void Perception::help_camera(const CameraFault& fault) {
     const bool ailed = recovery_.ailing();
     const Remedy remedy = recovery_.due(std::chrono::steady_clock::now());
     if (remedy == Remedy::none) return;
     if (!ailed) {
-        log_warning("{}: {}; restarting its stream", camera_->name(), fault);
+        log_warning("{}: {}; restarting its stream", camera_->name(), fault.text);
+        if (fault_reports_) fault_reports_->report(fault.word);
         release_touches();
         show_light("sensor_lost");
     }
