@@ -153,6 +153,9 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.section("health");
     keys.add("port", config.health.port, 0, 65535,
              "figures of the running table at http://127.0.0.1:PORT/metrics, for Prometheus; 0: none");
+    keys.add("fault_dir", config.fault_reports.dir,
+             "folder for what the camera gave in the 10 s before it failed, to replay; empty: none");
+    keys.add("fault_reports", config.fault_reports.most, 1, 1000, "older ones are deleted");
     keys.section("log");
     keys.add("level", config.log_level, "debug, info, warning or error");
     return keys.take();

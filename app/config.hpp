@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/fault_reports.hpp"
 #include "app/health.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "platform/camera/depth_camera.hpp"
@@ -33,6 +34,7 @@ struct Config {
     TuioConfig tuio;
     DisplayConfig display;
     HealthConfig health;
+    FaultReportsConfig fault_reports;
     std::string log_level = "info";
 };
 

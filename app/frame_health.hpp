@@ -2,11 +2,23 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "platform/camera/depth_frame.hpp"
 
 namespace touchstone {
+
+/// What a camera does that only seems to live.
+struct CameraFault {
+    std::string_view word;  ///< for names of files and for counting
+    std::string_view text;  ///< for people
+};
+inline constexpr CameraFault silent_camera{"silent", "The depth camera gives no pictures"};
+inline constexpr CameraFault frozen_camera{"frozen",
+                                           "The depth camera gives the same picture again and again"};
+inline constexpr CameraFault blind_camera{"blind", "The depth camera sees nothing: is it covered?"};
+inline constexpr CameraFault torn_camera{"torn", "The depth camera gives torn pictures"};
 
 enum class FrameHealth {
     good,

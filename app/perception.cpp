@@ -51,6 +51,7 @@ Perception::Perception(const RunOptions& options)
       health_(options.config.health),
       sinks_(make_sinks(options)) {
     if (options.maps_dir) maps_.emplace(*options.maps_dir);
+    if (!options.config.fault_reports.dir.empty()) fault_reports_.emplace(options.config.fault_reports);
     run_self_test(device_);
     log_info("computing on {}", device_.name());
     prepare_touch_bias();
@@ -81,17 +82,14 @@ std::optional<TableFrame> Perception::next() {
     if (std::holds_alternative<StreamEnd>(result)) return std::nullopt;
     if (auto* frame = std::get_if<DepthFrame>(&result)) {
         const std::optional<CameraFault> fault = fault_of(*frame);
+        if (fault_reports_) fault_reports_->keep(*frame);
         return fault ? without_good_frame(*fault) : process(*frame);
     }
     if (const auto* lost = std::get_if<CameraLost>(&result)) {
         if (!camera_->can_return()) throw Error(ExitStatus::unavailable, lost->reason);
-        log_warning("{}", lost->reason);
-        health_.fault("lost");
-        drop_camera();
-        recovery_.lost(std::chrono::steady_clock::now());
-        return without_frame("sensor_lost", "The depth camera is gone: " + lost->reason);
+        return without_camera(lost->reason);
     }
-    return without_good_frame({"silent", "The depth camera gives no pictures"});
+    return without_good_frame(silent_camera);
 }
 
 std::optional<TableFrame> Perception::wait_for_camera() {

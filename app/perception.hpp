@@ -7,6 +7,7 @@
 
 #include "app/camera_recovery.hpp"
 #include "app/command_line.hpp"
+#include "app/fault_reports.hpp"
 #include "app/frame_health.hpp"
 #include "app/frame_outputs.hpp"
 #include "app/health.hpp"
@@ -18,11 +19,6 @@
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
-
-struct CameraFault {
-    std::string kind;  ///< one word, for counting: silent, frozen, blind, torn, lost, clock
-    std::string note;  ///< for people
-};
 
 /// The perception loop: camera frame -> pipeline -> touches -> sinks. Never waits for the screen.
 class Perception {
@@ -47,6 +43,7 @@ class Perception {
     std::optional<CameraFault> fault_of(DepthFrame& frame);
     TableFrame without_good_frame(const CameraFault& fault);
     void help_camera(const CameraFault& fault);
+    TableFrame without_camera(const std::string& reason);
     void drop_camera();
     /// The camera gives nothing: no touch outlives that.
     void release_touches();
@@ -72,6 +69,7 @@ class Perception {
     FrameJudge judge_;
     SteadyTime time_;
     Health health_;
+    std::optional<FaultReports> fault_reports_;
     std::string light_state_;
     std::unique_ptr<InteractionPipeline> pipeline_;
     std::optional<VolumeSnapshot> object_;  ///< that is followed in hands

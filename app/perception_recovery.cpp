@@ -78,23 +78,32 @@ std::optional<CameraFault> Perception::fault_of(DepthFrame& frame) {
     }
     switch (judge_.judge(frame)) {
         case FrameHealth::frozen:
-            return CameraFault{"frozen", "The depth camera gives the same picture again and again"};
+            return frozen_camera;
         case FrameHealth::blind:
-            return CameraFault{"blind", "The depth camera sees nothing: is it covered?"};
+            return blind_camera;
         case FrameHealth::torn:
             log_warning("{}: half of a picture is from the one before", camera_->name());
             health_.fault("torn");
-            return CameraFault{"torn", "The depth camera gives torn pictures"};
+            return torn_camera;
         case FrameHealth::good:
             break;
     }
     return std::nullopt;
 }
 
+TableFrame Perception::without_camera(const std::string& reason) {
+    log_warning("{}", reason);
+    health_.fault("lost");
+    if (fault_reports_) fault_reports_->report("lost");
+    drop_camera();
+    recovery_.lost(std::chrono::steady_clock::now());
+    return without_frame("sensor_lost", "The depth camera is gone: " + reason);
+}
+
 TableFrame Perception::without_good_frame(const CameraFault& fault) {
     if (camera_->can_return() && camera_->pace() == Pace::live) help_camera(fault);
     for (const auto& sink : sinks_) sink->idle();
-    if (recovery_.ailing() && pipeline_) return without_frame("sensor_lost", fault.note);
+    if (recovery_.ailing() && pipeline_) return without_frame("sensor_lost", std::string(fault.text));
     return last_shown_.state.empty() ? without_frame("starting", "") : last_shown_;
 }
 
@@ -103,8 +112,9 @@ void Perception::help_camera(const CameraFault& fault) {
     const Remedy remedy = recovery_.due(std::chrono::steady_clock::now());
     if (remedy == Remedy::none) return;
     if (!ailed) {
-        log_warning("{}: {}; restarting its stream", camera_->name(), fault.note);
-        if (fault.kind != "torn") health_.fault(fault.kind);
+        log_warning("{}: {}; restarting its stream", camera_->name(), fault.text);
+        if (fault_reports_) fault_reports_->report(fault.word);
+        if (fault.word != torn_camera.word) health_.fault(std::string(fault.word));
         release_touches();
         show_light("sensor_lost");
     }

@@ -56,7 +56,8 @@ Recorded read_frames(DepthCamera& camera, const RecordOptions& options, const st
             const std::optional<DepthFrame> frame = read_frame(camera, signals);
             if (!frame) break;
             if (recorded.frames++ == 0) begin_us = frame->timestamp_us;
-            recorded.seconds = 1e-6 * static_cast<double>(frame->timestamp_us - begin_us);
+            recorded.seconds =
+                1e-6 * (static_cast<double>(frame->timestamp_us) - static_cast<double>(begin_us));
             progress.show(progress_text(recorded, options, file));
         }
     } catch (const Error& error) {

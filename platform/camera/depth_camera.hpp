@@ -68,8 +68,8 @@ class DepthCamera {
 
     /// Writes everything that is read from now on to an .oni file, depth without loss; in live pace also the
     /// frames that are not read in time. Its first frame is the next one: a live device's streams begin anew.
-    /// Throws Error{io_error, unavailable}. Ends, with all frames written, by stop_recording() or with the
-    /// camera.
+    /// Throws Error{io_error, unavailable}; a live camera stands still then, until restart(). Ends, with all
+    /// frames written, by stop_recording() or with the camera.
     void start_recording(const std::string& path);
     /// Depth frames that the stock player finds in the file. Throws Error{bad_data} where it cannot play it.
     int stop_recording();

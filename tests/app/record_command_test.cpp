@@ -1,29 +1,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "platform/camera/depth_camera.hpp"
 #include "tests/support/run_program.hpp"
+#include "tests/support/source_frames.hpp"
 
 namespace touchstone {
 namespace {
 
+using test::frames_of;
 using test::ProgramResult;
 using test::run_program;
 using test::RunningProgram;
 using testing::AllOf;
 using testing::HasSubstr;
-
-/// All frames of a source, in order.
-std::vector<DepthFrame> frames_of(const std::string& uri, bool with_color = false) {
-    DepthCamera camera = DepthCamera::open(uri, Pace::step, with_color);
-    std::vector<DepthFrame> frames;
-    for (;;) {
-        ReadResult result = camera.read(10'000);
-        auto* frame = std::get_if<DepthFrame>(&result);
-        if (frame == nullptr) return frames;
-        frames.push_back(std::move(*frame));
-    }
-}
 
 class Record : public testing::Test {
   protected:
