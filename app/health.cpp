@@ -59,7 +59,7 @@ void Health::frame(std::uint64_t time_us, double camera_rate_hz, int touches_dow
 }
 
 void Health::tick(Time now, const std::string& state, double frame_rate_hz, const StageTimes* stages) {
-    if (now < read_at_) return;
+    if (now < (page_ ? read_at_ : line_at_)) return;
     read_at_ = now + between_readings;
     figures_.state = state;
     figures_.frame_rate_hz = frame_rate_hz;

@@ -32,7 +32,7 @@ class Health {
     /// As DepthCamera tells them.
     void lost_packets(std::optional<std::uint64_t> packets) { figures_.lost_packets = packets; }
     void restart(const std::string& what) { ++figures_.restarts[what]; }
-    /// Once a loop: takes the readings of the machine once a second, and says the line once a minute.
+    /// Once a loop: says the line once a minute. The machine is read for it, and once a second for the page.
     /// `stages` may be null.
     void tick(Time now, const std::string& state, double frame_rate_hz, const StageTimes* stages);
     const HealthFigures& figures() const { return figures_; }

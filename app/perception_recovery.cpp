@@ -128,11 +128,11 @@ void Perception::help_camera(const CameraFault& fault) {
         log_warning("{}", error.what());
     }
     log_warning("{}: opening it anew", camera_->name());
-    health_.restart("reopened");
+    health_.restart("camera");
     const bool on_usb = camera_->is_device();
     drop_camera();
     if (remedy != Remedy::reset_and_reopen || !on_usb) return;
-    health_.restart("usb_reset");
+    health_.restart("usb");
     reset_on_usb();
 }
 

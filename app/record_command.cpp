@@ -12,10 +12,10 @@ namespace touchstone {
 
 namespace {
 
-/// What was read while the recorder wrote.
+/// What was read while the recorder wrote; in live pace the file may hold some frames that were not read in
+/// time.
 struct Recorded {
-    int frames = 0;  ///< read
-    int frames_in_file = 0;
+    int frames = 0;
     double seconds = 0.0;          ///< from the first frame to the last, by the source's clock
     std::optional<Error> failure;  ///< that ended it before its time
 };
@@ -77,7 +77,7 @@ Recorded record(const RecordOptions& options, const std::string& file, Terminati
     if (recorded.failure && recorded.frames == 0) throw *recorded.failure;
     if (recorded.frames == 0)
         throw Error(ExitStatus::unavailable, camera.name() + " gave no frame; nothing is written");
-    recorded.frames_in_file = camera.stop_recording();
+    camera.stop_recording();
     return recorded;
 }
 
@@ -92,12 +92,10 @@ ExitStatus record_command(const RecordOptions& options) {
     TerminationSignals signals;
     const Recorded recorded = record(options, pending.name(), signals);
     pending.commit();
-    log_info("{}: {} frames, {:.1f} s, {:.1f} MB", file, recorded.frames_in_file, recorded.seconds,
-             megabytes(file));
+    log_info("{}: {} frames, {:.1f} s, {:.1f} MB", file, recorded.frames, recorded.seconds, megabytes(file));
     if (recorded.failure)
-        throw Error(recorded.failure->status(),
-                    fmt::format("{}; the {} frames before that are in {}", recorded.failure->what(),
-                                recorded.frames_in_file, file));
+        throw Error(recorded.failure->status(), fmt::format("{}; the {} frames before that are in {}",
+                                                            recorded.failure->what(), recorded.frames, file));
     return ExitStatus::ok;
 }
 

@@ -114,9 +114,9 @@ class CameraTracking {
     struct Level {
         Intrinsics intrinsics{};
         MapShape shape{};
-        PixelRegion region{};  // whole tiles
-        Buffer<float> depth_m,
-            normals_c;  // at level 0 only where pixels are left out; and where normals are to be found
+        PixelRegion region{};     // whole tiles
+        Buffer<float> depth_m;    // at level 0 only where pixels are left out
+        Buffer<float> normals_c;  // at level 0 only where they are to be found
     };
 
     RigidTransform best_guess(const SurfacePrediction& model, std::span<const RigidTransform> guesses);

@@ -69,7 +69,6 @@ struct DepthCamera::Impl {
     Pace pace;
     openni::Device device;
     openni::VideoStream depth, color;
-    std::string recorded_path;
     std::optional<Recording> recording;
     bool has_color = false;
     std::optional<SensorModel> model;
@@ -253,7 +252,6 @@ void DepthCamera::start_recording(const std::string& path) {
     // frames come.
     const bool runs_by_itself = impl_->pace == Pace::live;
     if (runs_by_itself) impl_->stop_streams();
-    impl_->recorded_path = path;
     impl_->recording.emplace(path, impl_->depth, impl_->color);
     if (runs_by_itself) impl_->start_streams();
 }
@@ -270,10 +268,7 @@ void DepthCamera::show_light(CameraLight light) {
     if (is_device()) impl_->device.setProperty(TOUCHSTONE_DEVICE_PROPERTY_LIGHT, shown);
 }
 
-int DepthCamera::stop_recording() {
-    impl_->recording.reset();
-    return count_recorded_frames(impl_->recorded_path);
-}
+void DepthCamera::stop_recording() { impl_->recording.reset(); }
 
 std::optional<std::uint64_t> DepthCamera::lost_packets() const {
     unsigned long long packets = 0;

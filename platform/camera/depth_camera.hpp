@@ -71,8 +71,7 @@ class DepthCamera {
     /// Throws Error{io_error, unavailable}; a live camera stands still then, until restart(). Ends, with all
     /// frames written, by stop_recording() or with the camera.
     void start_recording(const std::string& path);
-    /// Depth frames that the stock player finds in the file. Throws Error{bad_data} where it cannot play it.
-    int stop_recording();
+    void stop_recording();
 
   private:
     struct Impl;

@@ -62,17 +62,4 @@ Recording::Recording(const std::string& path, openni::VideoStream& depth, openni
 
 Recording::~Recording() { recorder_.destroy(); }
 
-int count_recorded_frames(const std::string& path) {
-    openni::Device device;
-    openni::VideoStream depth;
-    if (device.open(path.c_str()) != openni::STATUS_OK || device.getPlaybackControl() == nullptr ||
-        depth.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
-        throw Error(ExitStatus::bad_data, fmt::format("{} cannot be played: {}", path,
-                                                      one_line(openni::OpenNI::getExtendedError())));
-    }
-    const int frames = device.getPlaybackControl()->getNumberOfFrames(depth);
-    depth.destroy();
-    return frames;
-}
-
 }  // namespace touchstone

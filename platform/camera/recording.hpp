@@ -20,8 +20,4 @@ class Recording {
     openni::Recorder recorder_;
 };
 
-/// Depth frames that the stock player finds in an .oni file; a SensorSession must live. Throws
-/// Error{bad_data} where it cannot play it.
-int count_recorded_frames(const std::string& path);
-
 }  // namespace touchstone

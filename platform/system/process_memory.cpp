@@ -5,9 +5,9 @@
 
 namespace touchstone {
 
-double resident_mb() {
+double resident_mb(const std::string& process) {
     double all_pages = 0.0, resident_pages = 0.0;
-    std::ifstream("/proc/self/statm") >> all_pages >> resident_pages;
+    std::ifstream("/proc/" + process + "/statm") >> all_pages >> resident_pages;
     return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <sys/resource.h>
 
 namespace touchstone {
@@ -11,7 +12,7 @@ inline double peak_rss_mb() {
     return static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6;
 }
 
-/// What it has now, megabytes.
-double resident_mb();
+/// What a process has now, megabytes: its number, or this one.
+double resident_mb(const std::string& process = "self");
 
 }  // namespace touchstone

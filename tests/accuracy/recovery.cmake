@@ -1,5 +1,5 @@
 touchstone_library(touchstone_recovery_accuracy recovery_run.cpp)
-target_link_libraries(touchstone_recovery_accuracy PRIVATE nlohmann_json::nlohmann_json fmt::fmt)
+target_link_libraries(touchstone_recovery_accuracy PRIVATE touchstone_system nlohmann_json::nlohmann_json fmt::fmt)
 
 add_executable(score_recovery score_recovery.cpp)
 target_link_libraries(score_recovery PRIVATE touchstone_recovery_accuracy CLI11::CLI11 fmt::fmt)

@@ -1,24 +1,21 @@
 #include "tests/accuracy/recovery_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
-#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <poll.h>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <thread>
 #include <vector>
 
-#include "tests/support/temporary_folder.hpp"
+#include "platform/system/process_memory.hpp"
+#include "tests/support/run_program.hpp"
 
 namespace touchstone {
 
@@ -26,77 +23,36 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The program with its standard output in a pipe and its standard error in a file.
+/// The program, line by line.
 class WatchedProgram {
   public:
-    explicit WatchedProgram(std::vector<std::string> command) {
-        std::array<int, 2> ends{};
-        if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
-        child_ = fork();
-        if (child_ == 0) {
-            dup2(ends[1], STDOUT_FILENO);
-            dup2(open(errors().c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDERR_FILENO);
-            std::vector<char*> arguments;
-            for (std::string& word : command) arguments.push_back(word.data());
-            arguments.push_back(nullptr);
-            execv(arguments[0], arguments.data());
-            _exit(127);
-        }
-        close(ends[1]);
-        output_ = ends[0];
-    }
-    WatchedProgram(const WatchedProgram&) = delete;
-    WatchedProgram& operator=(const WatchedProgram&) = delete;
-    ~WatchedProgram() {
-        if (child_ > 0) (void)end(SIGKILL);
-        close(output_);
-    }
+    explicit WatchedProgram(std::vector<std::string> command) : program_(std::move(command)) {}
 
-    /// The next line of its output. Throws where it ends or is silent for a minute.
+    /// The next line of its output. Throws where it is silent for a minute.
     std::string line() {
-        while (true) {
-            const std::size_t end = text_.find('\n');
-            if (end != std::string::npos) {
-                std::string result = text_.substr(0, end);
-                text_.erase(0, end + 1);
-                return result;
-            }
-            pollfd ready{output_, POLLIN, 0};
-            std::array<char, 65536> bytes{};
-            const ssize_t count = poll(&ready, 1, 60'000) > 0 ? read(output_, bytes.data(), bytes.size()) : 0;
-            if (count <= 0) throw std::runtime_error("the program ended or is silent: " + log());
-            text_.append(bytes.data(), static_cast<std::size_t>(count));
+        const auto deadline = Clock::now() + std::chrono::minutes(1);
+        while (Clock::now() < deadline) {
+            if (!output_.is_open()) output_.open(program_.output_file());
+            const auto place = output_.tellg();
+            std::string line;
+            if (std::getline(output_, line) && !output_.eof()) return line;
+            output_.clear();
+            output_.seekg(place);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
+        throw std::runtime_error("the program ended or is silent: " + log());
     }
-    std::string log() const {
-        std::ostringstream text;
-        text << std::ifstream(errors()).rdbuf();
-        return text.str();
-    }
-    double resident_mb() const {
-        double all = 0.0, resident = 0.0;
-        std::ifstream(fmt::format("/proc/{}/statm", child_)) >> all >> resident;
-        return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-    }
+    std::string log() const { return program_.errors_so_far(); }
+    double resident_mb() const { return touchstone::resident_mb(std::to_string(program_.pid())); }
     int open_files() const {
-        const std::filesystem::directory_iterator files(fmt::format("/proc/{}/fd", child_));
+        const std::filesystem::directory_iterator files(fmt::format("/proc/{}/fd", program_.pid()));
         return static_cast<int>(std::distance(begin(files), std::filesystem::directory_iterator()));
     }
-    int end(int signal) {
-        kill(child_, signal);
-        int status = 0;
-        waitpid(child_, &status, 0);
-        child_ = -1;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    }
+    int end() { return program_.finish(SIGTERM).status; }
 
   private:
-    std::string errors() const { return (folder_.path() / "log").string(); }
-
-    TemporaryFolder folder_;
-    pid_t child_ = -1;
-    int output_ = -1;
-    std::string text_;
+    test::RunningProgram program_;
+    std::ifstream output_;
 };
 
 int count_of(std::string_view text, std::string_view words) {
@@ -169,7 +125,7 @@ RecoveryScore run_recovery(const RecoveryRun& run) {
     score.late_files = program.open_files();
     score.restarts =
         count_of(program.log(), "restarting its stream") + count_of(program.log(), "opening it anew");
-    score.exit_status = program.end(SIGTERM);
+    score.exit_status = program.end();
     return score;
 }
 

@@ -24,8 +24,12 @@ TEST(Health, CountsFramesThatTheCameraShouldHaveGiven) {
     EXPECT_EQ(health.figures().missed_frames, 2U) << "another camera's clock";
 }
 
-TEST(Health, ReadsTheMachineOnceASecond) {
-    Health health({}, start);
+int free_port() { return HealthPage(0).port(); }
+
+TEST(Health, ReadsTheMachineOnceASecondForThePage) {
+    HealthConfig config;
+    config.port = free_port();
+    Health health(config, start);
     health.tick(start, "scanning", 0.0, nullptr);
     EXPECT_EQ(health.figures().state, "scanning");
     EXPECT_GT(health.figures().resident_mb, 1.0);
@@ -34,6 +38,16 @@ TEST(Health, ReadsTheMachineOnceASecond) {
     health.tick(start + milliseconds(1000), "live", 30.0, nullptr);
     EXPECT_EQ(health.figures().state, "live");
     EXPECT_DOUBLE_EQ(health.figures().frame_rate_hz, 30.0);
+}
+
+TEST(Health, ReadsTheMachineOnceAMinuteWithoutAPage) {
+    Health health({}, start);
+    health.tick(start + milliseconds(59'000), "live", 30.0, nullptr);
+    EXPECT_EQ(health.figures().state, "");
+    health.tick(start + milliseconds(60'000), "live", 30.0, nullptr);
+    EXPECT_EQ(health.figures().state, "live");
+    health.tick(start + milliseconds(119'000), "scanning", 30.0, nullptr);
+    EXPECT_EQ(health.figures().state, "live");
 }
 
 TEST(Health, TheLineTellsTheMinuteNotTheWhole) {

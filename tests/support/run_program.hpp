@@ -47,6 +47,9 @@ class RunningProgram {
         return {code, text("out"), text("err")};
     }
 
+    pid_t pid() const { return child_; }
+    /// Where its standard output goes.
+    std::filesystem::path output_file() const { return folder_.path() / "out"; }
     /// What it has written to standard error up to now.
     std::string errors_so_far() const { return text("err"); }
 
