@@ -110,8 +110,8 @@ InteractionFrame InteractionPipeline::see(const DepthView& view, std::uint64_t t
         const StageTimer timer(times_, "depth map conversion");
         conversion_.convert_depth(view, live_);
         has_normals_ = false;
-        if (!normals_can_wait()) find_normals();
     }
+    if (!normals_can_wait()) find_normals();
     if (!background_ && !place_volume(view))
         frame.note = "The camera sees nothing between 0.3 and 6 m yet";
     else if (aligning_ != nullptr)
@@ -132,7 +132,9 @@ bool InteractionPipeline::normals_can_wait() const {
 }
 
 void InteractionPipeline::find_normals() {
-    if (!has_normals_) conversion_.find_normals(live_);
+    if (has_normals_) return;
+    const StageTimer timer(times_, "normal maps");
+    conversion_.find_normals(live_);
     has_normals_ = true;
 }
 

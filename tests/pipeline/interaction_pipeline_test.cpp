@@ -90,6 +90,8 @@ TEST_F(InteractionPipelineTest, StagesAreTimedByTheirNames) {
          {"frame", "depth map conversion", "foreground segmentation", "touch detection"}) {
         EXPECT_GT(pipeline.stage_times().summary(stage).frames, 0u) << stage;
     }
+    EXPECT_EQ(pipeline.stage_times().summary("normal maps").frames, 3u)
+        << "scanning or live, each frame has its own";
 }
 
 }  // namespace
