@@ -160,9 +160,7 @@ ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<con
         if (frame.fused) keyframes_.add_if_new(make_small_picture(view), T_g_c_);
         if (frame.tracking.state != TrackingState::lost) {
             moving_.remember(live_, T_g_c_, frame.fused);
-            predict();
-            std::swap(live_intensity_, model_intensity_);
-            model_has_intensity_ = has_intensity;
+            if (needs_prediction(frame)) predict(has_intensity);
         }
         frame.T_g_c = T_g_c_;
     }
@@ -173,16 +171,16 @@ ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<con
 TrackingResult Reconstruction::align(CameraTracking& tracking, bool has_intensity,
                                      std::span<const RigidTransform> guesses) {
     const IntensityPair intensity{live_intensity_, model_intensity_};
-    mark_outside(T_g_p_);
+    mark_outside(T_g_c_);
     TrackingResult result = tracking.track(live_, prediction_, guesses,
                                            has_intensity && model_has_intensity_ ? &intensity : nullptr,
                                            {&outside_}, fused_frames_);
-    judge_step(config_.tracking, result.T_p_c, result);
+    judge_step(config_.tracking, T_p_l().inverse() * result.T_p_c, result);
     return result;
 }
 
 void Reconstruction::align_again(bool has_intensity, TrackingResult& found) {
-    const std::array guesses{RigidTransform::Identity(), velocity_, found.T_p_c};
+    const std::array guesses{T_p_l(), T_p_l() * velocity_, found.T_p_c};
     const TrackingResult again = align(careful_tracking_, has_intensity, guesses);
     if (again.state == TrackingState::lost) return;
     const auto close = [&](const RigidTransform& T_p_c) {
@@ -208,7 +206,8 @@ void Reconstruction::find_moving(ReconstructionFrame& frame) {
 
 void Reconstruction::track(bool has_intensity, ReconstructionFrame& frame) {
     const StageTimer timer(times_, "camera tracking");
-    const std::array guesses{RigidTransform::Identity(), velocity_};
+    const RigidTransform T_p_last = T_p_l();
+    const std::array guesses{T_p_last, T_p_last * velocity_};
     frame.tracking = align(tracking_, has_intensity, guesses);
     find_moving(frame);
     if (frame.moving_share > config_.track_again_share ||
@@ -222,7 +221,7 @@ void Reconstruction::track(bool has_intensity, ReconstructionFrame& frame) {
         return;
     }
     frame.tracking.T_p_c = steps_.believed(frame.tracking.T_p_c, frame.tracking.evidence);
-    velocity_ = frame.tracking.T_p_c;
+    velocity_ = T_p_last.inverse() * frame.tracking.T_p_c;
     T_g_c_ = orthonormal(T_g_p_ * frame.tracking.T_p_c);
 }
 
@@ -268,10 +267,26 @@ void Reconstruction::fuse(std::span<const std::uint8_t> color_rgb) {
     device_->finish();
 }
 
-void Reconstruction::predict() {
+RigidTransform Reconstruction::T_p_l() const { return T_g_p_.inverse() * T_g_c_; }
+
+/// A frame or two later the model shows the same from nearly the same place.
+bool Reconstruction::needs_prediction(const ReconstructionFrame& frame) {
+    const Displacement moved = displacement(T_p_l());
+    const bool keeps =
+        frame.tracking.state == TrackingState::good && fused_frames_ > config_.young_model_frames &&
+        frame.moving_share < config_.moving.min_watched_share &&
+        ++frames_on_prediction_ < config_.frames_per_prediction &&
+        moved.shift_m < config_.max_prediction_shift_m && moved.turn_deg < config_.max_prediction_turn_deg;
+    return !keeps;
+}
+
+void Reconstruction::predict(bool has_intensity) {
     const StageTimer timer(times_, "raycast");
     raycasting_.raycast(volume_, T_g_c_, prediction_);
     T_g_p_ = T_g_c_;
+    frames_on_prediction_ = 0;
+    std::swap(live_intensity_, model_intensity_);
+    model_has_intensity_ = has_intensity;
     device_->finish();
 }
 

@@ -34,7 +34,11 @@ struct ReconstructionConfig {
     float track_again_share = 0.003f, track_again_inlier_share = 0.0f;
     float poor_moving_share = 0.5f;  ///< of the picture: not fused
     int proving_frames = 5;          ///< that a pose found again must be tracked well before it is fused
-    bool use_color = true;           ///< brightness helps to track, where there is a colour picture
+    /// The surface is predicted anew every so many frames, while the model is young, and where the camera has
+    /// moved by more since.
+    int frames_per_prediction = 3, young_model_frames = 30;
+    float max_prediction_shift_m = 0.05f, max_prediction_turn_deg = 4.0f;
+    bool use_color = true;  ///< brightness helps to track, where there is a colour picture
 };
 
 /// What one frame gave.
@@ -80,7 +84,9 @@ class Reconstruction {
     void relocalise(const DepthView& view, ReconstructionFrame& frame);
     void mark_outside(const RigidTransform& T_g_c);
     void fuse(std::span<const std::uint8_t> color_rgb);
-    void predict();
+    RigidTransform T_p_l() const;
+    bool needs_prediction(const ReconstructionFrame& frame);
+    void predict(bool has_intensity);
 
     const Device* device_;
     ReconstructionConfig config_;
@@ -104,9 +110,10 @@ class Reconstruction {
     SurfacePrediction prediction_;
     IntensityMaps live_intensity_, model_intensity_;
     bool model_has_intensity_ = false;
-    RigidTransform T_g_c_;     // of the last frame that was tracked
-    RigidTransform T_g_p_;     // of the prediction
-    RigidTransform velocity_;  // T_p_c of the last step
+    RigidTransform T_g_c_;  // of the last frame that was tracked
+    RigidTransform T_g_p_;  // of the prediction
+    int frames_on_prediction_ = 0;
+    RigidTransform velocity_;  // the last step: from the frame before the last one
     StepFilter steps_;
     int fused_frames_ = 0;
 };
