@@ -33,22 +33,22 @@ __kernel void leave_out(__global const float* depth_m, __global const uchar* mas
     vstore8(select((float8)(0.0f), vload8(0, depth_m + at), kept), 0, result_m + at);
 }
 
-/* Adds w J^T (J, r) of eight pixels, J = (p x d, d) with p from the centre of the twist. */
-INLINE void add_rows8(float8* total, const Points8 p, const Points8 d, const float8 r, const float8 w) {
-    const float8 j[6] = {p.y * d.z - p.z * d.y, p.z * d.x - p.x * d.z, p.x * d.y - p.y * d.x, d.x, d.y, d.z};
+/* Adds w J^T (J, r) of sixteen pixels, J = (p x d, d) with p from the centre of the twist. */
+INLINE void add_rows16(float16* total, const Points16 p, const Points16 d, const float16 r, const float16 w) {
+    const float16 j[6] = {p.y * d.z - p.z * d.y, p.z * d.x - p.x * d.z, p.x * d.y - p.y * d.x, d.x, d.y, d.z};
     int k = 0;
     // Unrolled, the sums stay in registers.
 #pragma unroll
     for (int a = 0; a < 6; ++a) {
-        const float8 wj = w * j[a];
+        const float16 wj = w * j[a];
 #pragma unroll
         for (int b = a; b < 6; ++b) total[k++] += wj * j[b];
         total[ALIGNMENT_B + a] += wj * r;
     }
 }
 
-INLINE Points8 from_centre8(const Points8 v, const float4 centre) {
-    Points8 p;
+INLINE Points16 from_centre16(const Points16 v, const float4 centre) {
+    Points16 p;
     p.x = v.x - centre.x;
     p.y = v.y - centre.y;
     p.z = v.z - centre.z;
@@ -92,7 +92,7 @@ __kernel void half_intensity(__global const float* source, __global float* half_
     vstore8(result, 0, half_map + y * half_shape.pitch_px + x);
 }
 
-INLINE float8 count8(const int8 mask) { return select((float8)(0.0f), (float8)(1.0f), mask); }
+INLINE float16 count16(const int16 mask) { return select((float16)(0.0f), (float16)(1.0f), mask); }
 
 /* A level of a picture: scale is 1 at the finest, a half at the next. */
 typedef struct Brightness {
@@ -103,34 +103,34 @@ typedef struct Brightness {
 
 /* Adds the rows of points v, at (u, v_px) of the model's finest picture: what the live pixels show against what the
  * prediction's camera saw of those points when it was there. */
-INLINE void add_brightness8(float8* total, const Brightness brightness, const int at, const MapShape shape, const Intrinsics k,
-                            const AlignmentParams params, const Points8 v, const float8 inverse_z, const float8 u,
-                            const float8 v_px, const int8 near) {
+INLINE void add_brightness16(float16* total, const Brightness brightness, const int at, const MapShape shape, const Intrinsics k,
+                             const AlignmentParams params, const Points16 v, const float16 inverse_z, const float16 u,
+                             const float16 v_px, const int16 near) {
     const float scale = brightness.scale;
-    const float8 column = (u + 0.5f) * scale - 0.5f, row = (v_px + 0.5f) * scale - 0.5f;
-    const int8 pair = near & (column >= 0.0f) & (row >= 0.0f) & (column < (float)(shape.width_px - 1)) &
-                      (row < (float)(shape.height_px - 1));
+    const float16 column = (u + 0.5f) * scale - 0.5f, row = (v_px + 0.5f) * scale - 0.5f;
+    const int16 pair = near & (column >= 0.0f) & (row >= 0.0f) & (column < (float)(shape.width_px - 1)) &
+                       (row < (float)(shape.height_px - 1));
     if (!any(pair)) return;
-    const float8 x = select((float8)(0.0f), column, pair), y = select((float8)(0.0f), row, pair);
-    const float8 left = floor(x), top = floor(y), ax = x - left, ay = y - top;
-    const int8 corner = convert_int8_rtz(top) * shape.pitch_px + convert_int8_rtz(left);
-    const int8 one = select((int8)(0), (int8)(1), pair), below = corner + shape.pitch_px * one;
-    const float8 i00 = gather8(brightness.model, corner), i10 = gather8(brightness.model, corner + one);
-    const float8 i01 = gather8(brightness.model, below), i11 = gather8(brightness.model, below + one);
-    const float8 r = mix(mix(i00, i10, ax), mix(i01, i11, ax), ay) - vload8(0, brightness.live + at);
-    const float8 du = mix(i10 - i00, i11 - i01, ay) * (scale * k.fx_px) * inverse_z;
-    const float8 dv = mix(i01 - i00, i11 - i10, ax) * (scale * k.fy_px) * inverse_z;
-    Points8 d;
+    const float16 x = select((float16)(0.0f), column, pair), y = select((float16)(0.0f), row, pair);
+    const float16 left = floor(x), top = floor(y), ax = x - left, ay = y - top;
+    const int16 corner = convert_int16_rtz(top) * shape.pitch_px + convert_int16_rtz(left);
+    const int16 one = select((int16)(0), (int16)(1), pair), below = corner + shape.pitch_px * one;
+    const float16 i00 = gather16(brightness.model, corner), i10 = gather16(brightness.model, corner + one);
+    const float16 i01 = gather16(brightness.model, below), i11 = gather16(brightness.model, below + one);
+    const float16 r = mix(mix(i00, i10, ax), mix(i01, i11, ax), ay) - vload16(0, brightness.live + at);
+    const float16 du = mix(i10 - i00, i11 - i01, ay) * (scale * k.fx_px) * inverse_z;
+    const float16 dv = mix(i01 - i00, i11 - i10, ax) * (scale * k.fy_px) * inverse_z;
+    Points16 d;
     d.x = -du;
     d.y = -dv;
     d.z = (du * v.x + dv * v.y) * inverse_z;
     const float least_weight = params.reference_sigma_m / params.intensity_sigma;
-    const float8 huber = fmin(1.0f, (params.huber_sigmas * params.intensity_sigma) / fmax(fabs(r), 1e-6f));
-    const float8 w = select((float8)(0.0f), least_weight * least_weight * huber, pair);
-    add_rows8(total, from_centre8(v, params.centre_p), d, r, w);
+    const float16 huber = fmin(1.0f, (params.huber_sigmas * params.intensity_sigma) / fmax(fabs(r), 1e-6f));
+    const float16 w = select((float16)(0.0f), least_weight * least_weight * huber, pair);
+    add_rows16(total, from_centre16(v, params.centre_p), d, r, w);
 }
 
-/* One row of pixels a work-item, columns first_x to end_x (multiples of 8) of it: row row_step times the global id; at the
+/* One row of pixels a work-item, columns first_x to end_x (multiples of 16) of it: row row_step times the global id; at the
  * global id of sums. Live: depths and normals in the camera frame c. With brightness, rows of both join in A and b; the
  * statistics are of the depths alone. */
 __kernel void sum_alignment(__global const float* live_m, __global const float* live_normals_c, __global const float* model_m,
@@ -143,57 +143,57 @@ __kernel void sum_alignment(__global const float* live_m, __global const float* 
     const int live_plane = live_shape.pitch_px * live_shape.rows_px, model_plane = model_shape.pitch_px * model_shape.rows_px;
     const Brightness brightness = {live_intensity, model_intensity, 1.0f / (float)(1 << level)};
     const float inverse_fx = 1.0f / model_k.fx_px, inverse_fy = 1.0f / model_k.fy_px, inverse_cutoff = 1.0f / params.cutoff_sigmas;
-    float8 total[ALIGNMENT_SUMS];
+    float16 total[ALIGNMENT_SUMS];
 #pragma unroll
-    for (int i = 0; i < ALIGNMENT_SUMS; ++i) total[i] = (float8)(0.0f);
-    for (int x = first_x; x < end_x; x += 8) {
+    for (int i = 0; i < ALIGNMENT_SUMS; ++i) total[i] = (float16)(0.0f);
+    for (int x = first_x; x < end_x; x += 16) {
         const int at = y * live_shape.pitch_px + x;
-        const float8 live = vload8(0, live_m + at);
-        const int8 measured = live > 0.0f;
+        const float16 live = vload16(0, live_m + at);
+        const int16 measured = live > 0.0f;
         if (!any(measured)) continue;
-        total[ALIGNMENT_STATISTICS + 4] += count8(measured);
-        const Points8 v = transform_points8(T_p_c, back_project8(live_k, x, y, live));
-        const Projection8 seen = project8(model_k, model_shape, v);
-        const int8 pixel = select((int8)(-1), seen.row * model_shape.pitch_px + seen.column, seen.inside & measured);
-        const float8 model = gather8(model_m, pixel);
-        const int8 compared = model > 0.0f;
+        total[ALIGNMENT_STATISTICS + 4] += count16(measured);
+        const Points16 v = transform_points16(T_p_c, back_project16(live_k, x, y, live));
+        const Projection16 seen = project16(model_k, model_shape, v);
+        const int16 pixel = select((int16)(-1), seen.row * model_shape.pitch_px + seen.column, seen.inside & measured);
+        const float16 model = gather16(model_m, pixel);
+        const int16 compared = model > 0.0f;
         if (!any(compared)) continue;
-        Points8 n, n_live;
-        n.x = gather8(model_normals_p, pixel);
-        n.y = gather8(model_normals_p + model_plane, pixel);
-        n.z = gather8(model_normals_p + 2 * model_plane, pixel);
-        n_live.x = vload8(0, live_normals_c + at);
-        n_live.y = vload8(0, live_normals_c + live_plane + at);
-        n_live.z = vload8(0, live_normals_c + 2 * live_plane + at);
-        n_live = rotate_vectors8(T_p_c, n_live);
+        Points16 n, n_live;
+        n.x = gather16(model_normals_p, pixel);
+        n.y = gather16(model_normals_p + model_plane, pixel);
+        n.z = gather16(model_normals_p + 2 * model_plane, pixel);
+        n_live.x = vload16(0, live_normals_c + at);
+        n_live.y = vload16(0, live_normals_c + live_plane + at);
+        n_live.z = vload16(0, live_normals_c + 2 * live_plane + at);
+        n_live = rotate_vectors16(T_p_c, n_live);
         // The model's vertex: the pixel that was hit, at the model's depth.
-        Points8 d;
-        d.x = (convert_float8(seen.column) - model_k.cx_px) * inverse_fx * model - v.x;
-        d.y = (convert_float8(seen.row) - model_k.cy_px) * inverse_fy * model - v.y;
+        Points16 d;
+        d.x = (convert_float16(seen.column) - model_k.cx_px) * inverse_fx * model - v.x;
+        d.y = (convert_float16(seen.row) - model_k.cy_px) * inverse_fy * model - v.y;
         d.z = model - v.z;
-        const float8 r = dot8(n, d);
-        const float8 n_v = dot8(n, v), v_v = select((float8)(1.0f), dot8(v, v), compared);
-        const float8 tan2 = v_v / fmax(n_v * n_v, 0.01f * v_v) - 1.0f;
-        const float8 sigma = sigma_z8(params.noise, v.z) + (2.0f * params.noise.grazing) * sqrt(seen.inverse_z) * tan2;
-        const float8 inverse_sigma = 1.0f / sigma, sigmas = fabs(r) * inverse_sigma;
-        const int8 pair = compared & (dot8(d, d) < params.max_distance_m * params.max_distance_m) &
-                          (dot8(n, n_live) > params.min_normal_cos) & (sigmas < params.cutoff_sigmas);
-        const float8 scale = params.reference_sigma_m * inverse_sigma;
-        const float8 relative = sigmas * inverse_cutoff, tukey = 1.0f - relative * relative;
-        const float8 huber = fmin(1.0f, params.huber_sigmas / fmax(sigmas, 1e-6f));
-        const float8 w = select((float8)(0.0f), scale * scale * huber * tukey * tukey, pair), counts = count8(w > 0.0f);
+        const float16 r = dot16(n, d);
+        const float16 n_v = dot16(n, v), v_v = select((float16)(1.0f), dot16(v, v), compared);
+        const float16 tan2 = v_v / fmax(n_v * n_v, 0.01f * v_v) - 1.0f;
+        const float16 sigma = sigma_z16(params.noise, v.z) + (2.0f * params.noise.grazing) * sqrt(seen.inverse_z) * tan2;
+        const float16 inverse_sigma = 1.0f / sigma, sigmas = fabs(r) * inverse_sigma;
+        const int16 pair = compared & (dot16(d, d) < params.max_distance_m * params.max_distance_m) &
+                           (dot16(n, n_live) > params.min_normal_cos) & (sigmas < params.cutoff_sigmas);
+        const float16 scale = params.reference_sigma_m * inverse_sigma;
+        const float16 relative = sigmas * inverse_cutoff, tukey = 1.0f - relative * relative;
+        const float16 huber = fmin(1.0f, params.huber_sigmas / fmax(sigmas, 1e-6f));
+        const float16 w = select((float16)(0.0f), scale * scale * huber * tukey * tukey, pair), counts = count16(w > 0.0f);
         total[ALIGNMENT_STATISTICS] += w;
         total[ALIGNMENT_STATISTICS + 1] += w * r * r;
         total[ALIGNMENT_STATISTICS + 2] += counts;
-        total[ALIGNMENT_STATISTICS + 3] += count8(compared);
+        total[ALIGNMENT_STATISTICS + 3] += count16(compared);
         total[ALIGNMENT_STATISTICS + 5] += counts * r * r;
-        total[ALIGNMENT_STATISTICS + 6] += count8(pair & (sigmas < 2.0f));
-        add_rows8(total, from_centre8(v, params.centre_p), n, r, w);
+        total[ALIGNMENT_STATISTICS + 6] += count16(pair & (sigmas < 2.0f));
+        add_rows16(total, from_centre16(v, params.centre_p), n, r, w);
         if (with_brightness) {
-            const int8 near = compared & (fabs(d.z) < params.max_distance_m);
-            add_brightness8(total, brightness, at, live_shape, model_k, params, v, seen.inverse_z, seen.u, seen.v, near);
+            const int16 near = compared & (fabs(d.z) < params.max_distance_m);
+            add_brightness16(total, brightness, at, live_shape, model_k, params, v, seen.inverse_z, seen.u, seen.v, near);
         }
     }
 #pragma unroll
-    for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[(int)get_global_id(0) * ALIGNMENT_SUMS + i] = sum8(total[i]);
+    for (int i = 0; i < ALIGNMENT_SUMS; ++i) sums[(int)get_global_id(0) * ALIGNMENT_SUMS + i] = sum16(total[i]);
 }

@@ -240,9 +240,9 @@ RigidTransform CameraTracking::best_guess(const SurfacePrediction& model,
 void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair* intensity, int level,
                             TrackingResult& result) {
     const double lever_m = static_cast<double>(extent_.spread_m);
-    for (int i = 0; i < config_.levels[static_cast<std::size_t>(level)].iterations; ++i) {
-        const AlignmentSums sums = sum(model, result.T_p_c, level, intensity,
-                                       config_.levels[static_cast<std::size_t>(level)].row_step);
+    const TrackingLevel& at = config_.levels[static_cast<std::size_t>(level)];
+    for (int i = 0; i < at.iterations; ++i) {
+        const AlignmentSums sums = sum(model, result.T_p_c, level, intensity, at.row_step);
         ++result.iterations;
         const TwistSolution solution = solve_twist(sums, lever_m, static_cast<double>(min_eigenvalue_));
         result.evidence = step_evidence(sums, extent_.centre_c_m);
@@ -250,7 +250,7 @@ void CameraTracking::refine(const SurfacePrediction& model, const IntensityPair*
         result.eigenvalues = solution.eigenvalues;
         result.T_p_c = orthonormal(twist_about(solution.twist, extent_.centre_c_m) * result.T_p_c);
         const double step_m = solution.twist.head<3>().norm() * lever_m + solution.twist.tail<3>().norm();
-        if (step_m < static_cast<double>(config_.stop_step_m)) break;
+        if (step_m < static_cast<double>(at.stop_step_m)) break;
     }
 }
 

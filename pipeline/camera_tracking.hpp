@@ -21,12 +21,14 @@ struct TrackingLevel {
     float max_distance_m = 0.1f;  ///< between the two vertices of a pair
     float cutoff_sigmas = 12.0f;  ///< of the residual
     int row_step = 1;             ///< one row of pixels in so many is aligned
+    float stop_step_m = 2e-5f;    ///< an iteration that moves less ends the level
 };
 
 struct CameraTrackingConfig {
     SensorNoise noise{0.0012f, 0.0019f, 0.4f, 0.0001f};  ///< Kinect v1, Nguyen et al. 2012
-    std::array<TrackingLevel, 3> levels{TrackingLevel{4, 0.06f, 8.0f, 2}, TrackingLevel{6, 0.10f, 16.0f, 2},
-                                        TrackingLevel{10, 0.20f, 60.0f}};  ///< fine to coarse
+    std::array<TrackingLevel, 3> levels{TrackingLevel{4, 0.06f, 8.0f, 2, 1e-4f},
+                                        TrackingLevel{6, 0.10f, 16.0f, 2, 1e-4f},
+                                        TrackingLevel{10, 0.20f, 60.0f, 1, 2e-4f}};  ///< fine to coarse
     float max_normal_angle_deg = 60.0f;
     float huber_sigmas = 1.5f;
     float intensity_sigma = 0.07f;  ///< of brightness 0..1 between two frames
@@ -37,7 +39,6 @@ struct CameraTrackingConfig {
     /// The noise of a young model's normals looks like a constraint, and averages away: of so many frames,
     /// directions below this divided by their number are held, too.
     float young_min_eigenvalue = 0.09f;
-    float stop_step_m = 2e-5f;  ///< an iteration that moves less ends its level
 
     float poor_inlier_share = 0.5f, lost_inlier_share = 0.25f;  ///< of the pixels that have a model
     float min_model_share = 0.10f;                              ///< of the live pixels; less is lost

@@ -1,6 +1,5 @@
 #include "pipeline/kernel_program.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -19,9 +18,16 @@ ProgramSource embedded(std::string_view name) {
 
 }  // namespace
 
+std::vector<ProgramSource> common_kernel_sources() {
+    constexpr ProgramSource eight{"", "#define LANES 8\n"}, sixteen{"", "#define LANES 16\n"};
+    const ProgramSource lane_math = embedded("lane_math.h");
+    return {embedded("shared_types.h"), embedded("device_math.h"), eight, lane_math, sixteen, lane_math};
+}
+
 Program load_kernel_program(const Device& device, std::string_view stage_file) {
-    const std::array sources{embedded("shared_types.h"), embedded("device_math.h"), embedded("tsdf_access.h"),
-                             embedded(stage_file)};
+    std::vector<ProgramSource> sources = common_kernel_sources();
+    sources.push_back(embedded("tsdf_access.h"));
+    sources.push_back(embedded(stage_file));
     return {device, sources};
 }
 

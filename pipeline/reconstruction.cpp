@@ -260,7 +260,7 @@ void Reconstruction::fuse(std::span<const std::uint8_t> color_rgb) {
         return updated;
     }();
     if (volume_.bricks_in_use() > 0) ++fused_frames_;
-    if (color_rgb.empty()) return;
+    if (color_rgb.empty() || frames_on_prediction_ > 0) return;
     const StageTimer timer(times_, "colour");
     if (!color_) color_.emplace(*device_, config_.color, intrinsics_);
     color_->integrate(volume_, live_, color_rgb, weights, T_g_c_, bricks);

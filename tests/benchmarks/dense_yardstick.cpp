@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "kernel_sources.hpp"
+#include "pipeline/kernel_program.hpp"
 #include "yardstick_sources.hpp"
 
 namespace touchstone {
@@ -13,11 +13,7 @@ constexpr float start_m = 0.4f;
 constexpr int most_weight = 128;
 
 Program load_yardstick(const Device& device) {
-    std::vector<ProgramSource> sources;
-    for (const kernel_sources_file& file : kernel_sources()) {
-        if (file.name == "shared_types.h" || file.name == "device_math.h")
-            sources.push_back({file.path, file.text});
-    }
+    std::vector<ProgramSource> sources = common_kernel_sources();
     for (const yardstick_sources_file& file : yardstick_sources()) sources.push_back({file.path, file.text});
     return {device, sources};
 }
