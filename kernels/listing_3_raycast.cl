@@ -106,7 +106,7 @@ INLINE void refine8(__global const int* table, __global const int* pool, const V
     const int8 descends = s.known & (slope < -1e-6f);
     const float8 newton = clamp(-s.tsdf / select((float8)(-1.0f), slope, descends), -w->voxel_step, w->voxel_step);
     const float8 step = select(select((float8)(0.0f), -0.5f * w->voxel_step, s.known), newton, descends);
-    const int8 searching = ~r->resting, arrived = descends & (fabs(s.tsdf) < tolerance);
+    const int8 searching = ~r->resting, arrived = descends & (fabs(s.tsdf) < 5.0f * tolerance);
     r->ok = select(r->ok, arrived | (s.known & (fabs(s.tsdf) < 5.0f * tolerance)), searching);
     r->t += select((float8)(0.0f), step, searching);
     r->gradient.x = select(r->gradient.x, s.gradient.x, searching);
