@@ -162,6 +162,18 @@ typedef struct ShadingParams {
     Float4 background, foreground, unknown, light_c;
 } ShadingParams;
 
+/* Lighting of a view from anywhere. Global frame, metres; colours 0..1. A pixel's colour is base (ambient + diffuse cos(n, l) v) +
+ * surface.w cos(r, view)^16 v for the share v of the light that reaches it: 0 below cos(n, l) = 0, whole from grazing_cos on.
+ * Shadow rays start start_vox voxels over the surface. Of every mesh_step-th pixel and row of the mesh's maps; 0: there is no mesh. */
+typedef struct ViewLightingParams {
+    Float4 light_g_m, sphere_g_m; /* sphere's w: radius, 0 where there is none */
+    Float4 surface;               /* colour where the volume has none; w: how much it shines */
+    Float4 sky_low, sky_high, up_g;
+    float ambient, diffuse, grazing_cos, start_vox;
+    float mirror; /* share of the light that the sphere reflects */
+    int mesh_step, has_colors, reserved;
+} ViewLightingParams;
+
 /* Point-to-plane alignment (Listing 1, Eq 1) of live vertices with a prediction, both in the prediction's frame p.
  * A pair counts where the vertices are at most max_distance_m apart, the normals agree and the residual is below
  * cutoff_sigmas sigma_z(z, theta); its row weighs (reference_sigma_m / sigma_z)^2 times Huber's weight. The twist turns

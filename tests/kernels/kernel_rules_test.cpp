@@ -69,6 +69,9 @@ std::vector<Field> shared_fields() {
             FIELD(ComponentSums, expected),
             FIELD(ShadingParams, foreground),
             FIELD(ShadingParams, light_c),
+            FIELD(ViewLightingParams, up_g),
+            FIELD(ViewLightingParams, mesh_step),
+            FIELD(ViewLightingParams, reserved),
             FIELD(AlignmentParams, centre_p),
             FIELD(AlignmentParams, max_distance_m),
             FIELD(AlignmentParams, reference_sigma_m),
@@ -155,7 +158,8 @@ TEST(Kernels, EveryListingLineIsMarkedOnce) {
         {"listing_2_tsdf_integration.cl", {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14}},
         {"listing_3_raycast.cl", {1, 2, 3, 4, 5, 6, 9, 10, 11, 12, 13, 14, 15, 16}},
         {"listing_4_touch_map.cl", {1, 2, 3, 4, 5, 6, 7}},
-        {"shading.cl", {17}}};
+        {"shading.cl", {17}},
+        {"view_lighting.cl", {7, 8, 18, 19, 20, 21}}};
     std::set<std::string> seen;
     for (const kernel_sources_file& file : kernel_sources()) {
         const auto listing = wanted.find(std::string(file.name));

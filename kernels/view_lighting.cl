@@ -1,0 +1,300 @@
+/* Listing 3 from the first hit on, for a view from anywhere: lighting, what a mesh hides, shadows and a mirror sphere by secondary
+ * rays. Rays are in the global frame, in voxel units; eight pixels a work-item. */
+
+typedef struct Colour8 {
+    float8 r, g, b;
+} Colour8;
+
+typedef struct Ray8 {
+    Points8 origin, direction; /* length 1 */
+    float8 enter, leave;       /* of the cube: enter is at least 0, leave is less where the ray misses it */
+} Ray8;
+
+INLINE Points8 scaled8(const Points8 p, const float8 by) {
+    const Points8 r = {p.x * by, p.y * by, p.z * by};
+    return r;
+}
+
+/* p + d t */
+INLINE Points8 along8(const Points8 p, const Points8 d, const float8 t) {
+    const Points8 r = {p.x + d.x * t, p.y + d.y * t, p.z + d.z * t};
+    return r;
+}
+
+INLINE Points8 normalized8(const Points8 p) { return scaled8(p, rsqrt(fmax(dot8(p, p), 1e-20f))); }
+
+INLINE Points8 choose_points8(const Points8 otherwise, const Points8 where_set, const int8 mask) {
+    const Points8 r = {select(otherwise.x, where_set.x, mask), select(otherwise.y, where_set.y, mask),
+                       select(otherwise.z, where_set.z, mask)};
+    return r;
+}
+
+INLINE Colour8 choose_colour8(const Colour8 otherwise, const Colour8 where_set, const int8 mask) {
+    const Colour8 r = {select(otherwise.r, where_set.r, mask), select(otherwise.g, where_set.g, mask),
+                       select(otherwise.b, where_set.b, mask)};
+    return r;
+}
+
+INLINE Colour8 colour_of8(const uint8 rgba) {
+    const float scale = 1.0f / 255.0f;
+    const Colour8 c = {convert_float8(rgba & (uint8)(0xff)) * scale, convert_float8((rgba >> (uint8)(8)) & (uint8)(0xff)) * scale,
+                       convert_float8((rgba >> (uint8)(16)) & (uint8)(0xff)) * scale};
+    return c;
+}
+
+INLINE void clip_axis8(const float8 origin, const float8 direction, const float size, float8* enter, float8* leave) {
+    const float8 per_voxel = 1.0f / copysign(fmax(fabs(direction), 1e-6f), direction);
+    const float8 a = -origin * per_voxel, b = (size - origin) * per_voxel;
+    *enter = fmax(*enter, fmin(a, b));
+    *leave = fmin(*leave, fmax(a, b));
+}
+
+INLINE Ray8 make_ray8(const Points8 origin, const Points8 direction, const VolumeParams volume) {
+    const float size = (float)volume.size_vox;
+    Ray8 ray = {origin, direction, (float8)(0.0f), (float8)(1e9f)};
+    clip_axis8(origin.x, direction.x, size, &ray.enter, &ray.leave);
+    clip_axis8(origin.y, direction.y, size, &ray.enter, &ray.leave);
+    clip_axis8(origin.z, direction.z, size, &ray.enter, &ray.leave);
+    return ray;
+}
+
+/* What is left of a brick along an axis. */
+INLINE float8 rest_along8(const float8 p, const float8 direction) {
+    const float side = BRICK_VOX;
+    const float8 in_brick = p - side * floor(p / side);
+    return select(in_brick, side - in_brick, direction > 0.0f) / fmax(fabs(direction), 1e-3f);
+}
+
+typedef struct Look8 {
+    float8 distance; /* to the surface, voxels, negative behind it; 0 where unknown */
+    float8 step;     /* that passes nothing */
+    int8 known;
+} Look8;
+
+/* The voxels at t. Absent bricks are passed at once. */
+INLINE Look8 look8(__global const int* table, __global const int* pool, const VolumeParams volume, const Ray8* ray, const float8 t,
+                   const int8 live) {
+    const float last = (float)volume.size_vox - 0.5f, truncation_vox = volume.max_truncation_m / volume.voxel_m;
+    const Points8 p = along8(ray->origin, ray->direction, t);
+    const int8 x = convert_int8_rtz(fmax(fmin(p.x, last), 0.0f)), y = convert_int8_rtz(fmax(fmin(p.y, last), 0.0f));
+    const int8 z = convert_int8_rtz(fmax(fmin(p.z, last), 0.0f));
+    const int8 slot = gather_int8(table, select((int8)(-1), brick_of8(volume, x, y, z), live));
+    const int8 voxel = read_slots8(pool, slot, x, y, z);
+    Look8 r;
+    r.known = voxel_weight8(voxel) > 0;
+    r.distance = select((float8)(0.0f), voxel_tsdf8(voxel) * truncation_vox, r.known);
+    r.step = select((float8)(2.0f), fmax(1.0f, 0.8f * r.distance), r.known);
+    const int8 absent = live & (slot < 0);
+    if (any(absent)) {
+        const float8 rest = fmin(fmin(rest_along8(p.x, ray->direction.x), rest_along8(p.y, ray->direction.y)),
+                                 rest_along8(p.z, ray->direction.z));
+        r.step = select(r.step, fmax(r.step, rest), absent);
+    }
+    return r;
+}
+
+/* By how many voxels rays clear all surfaces up to `end`, from -0.5 (they do not) to 1. Whatever is known to be behind a surface is in the
+ * way, from whichever side the ray comes; unknown space is not. */
+INLINE float8 clearance8(__global const int* table, __global const int* pool, const VolumeParams volume, const Ray8* ray,
+                         const float8 end, const int8 wanted) {
+    const float truncation_vox = volume.max_truncation_m / volume.voxel_m;
+    float8 t = ray->enter, clearance = (float8)(1.0f);
+    int8 live = wanted & (t < end);
+    for (int i = 0; i < 4096 && any(live); ++i) {
+        const Look8 at = look8(table, pool, volume, ray, t, live);
+        float8 distance = at.distance;
+        /* The nearest voxel's centre is up to 0.87 voxels away: only so near can the clearance be below a half. */
+        const int8 close = live & at.known & (distance < 1.5f);
+        if (any(close)) {
+            const Sample8 s = sample_trilinear8(table, pool, volume, along8(ray->origin, ray->direction, t));
+            distance = select(distance, s.tsdf * truncation_vox, close & s.known);
+        }
+        clearance = select(clearance, fmin(clearance, distance), live & at.known);
+        t += select(at.step, (float8)(0.5f), close);
+        live &= (clearance > -0.5f) & (t < end);
+    }
+    return clearance;
+}
+
+/* The same of a sphere, as the distance of the nearest point of the segment. */
+INLINE float8 sphere_clearance8(const Points8 from, const Points8 direction, const float8 length, const float4 sphere_vox) {
+    const Points8 to_centre = {sphere_vox.x - from.x, sphere_vox.y - from.y, sphere_vox.z - from.z};
+    const Points8 gap = along8(to_centre, direction, -clamp(dot8(to_centre, direction), (float8)(0.0f), length));
+    return select((float8)(1.0f), sqrt(dot8(gap, gap)) - sphere_vox.w, (int8)(sphere_vox.w > 0.0f ? -1 : 0));
+}
+
+typedef struct Hit8 {
+    float8 t;
+    Points8 normal; /* length 1 */
+    int8 found;
+} Hit8;
+
+/* The first surface that rays come to from its front, as the primary rays do: a walk and Newton steps towards the zero. */
+INLINE Hit8 first_hit8(__global const int* table, __global const int* pool, const VolumeParams volume, const Ray8* ray,
+                       const int8 wanted) {
+    const float8 none = (float8)(0.0f);
+    Hit8 hit = {none, {none, none, none}, (int8)(0)};
+    float8 t = ray->enter, t_before = t, before = none;
+    int8 live = wanted & (t < ray->leave);
+    for (int i = 0; i < 4096 && any(live); ++i) {
+        const Look8 at = look8(table, pool, volume, ray, t, live);
+        const int8 crossed = live & at.known & (at.distance <= 0.0f) & (before > 0.0f);
+        hit.t = select(hit.t, t_before + (t - t_before) * (before / (before - at.distance)), crossed);
+        hit.found |= crossed;
+        live &= ~crossed & ~(at.known & (at.distance > 0.0f) & (before < 0.0f));
+        t_before = t;
+        before = at.distance;
+        t += at.step;
+        live &= t < ray->leave;
+    }
+    const float truncation_vox = volume.max_truncation_m / volume.voxel_m;
+    int8 near = (int8)(0), searching = hit.found;
+    for (int i = 0; i < 6 && any(searching); ++i) {
+        const Sample8 s = sample_trilinear8(table, pool, volume, along8(ray->origin, ray->direction, hit.t));
+        const float8 slope = dot8(s.gradient, ray->direction);
+        const int8 descends = s.known & (slope < -1e-6f);
+        const float8 newton = clamp(-s.tsdf / select((float8)(-1.0f), slope, descends), (float8)(-1.0f), (float8)(1.0f));
+        hit.t += select(none, select(select(none, (float8)(-0.5f), s.known), newton, descends), searching);
+        hit.normal = choose_points8(hit.normal, s.gradient, searching);
+        near = select(near, s.known & (fabs(s.tsdf) * truncation_vox < 0.5f), searching);
+        searching &= s.known & ~(descends & (fabs(s.tsdf) * truncation_vox < 0.1f));
+    }
+    hit.normal = normalized8(hit.normal);
+    hit.found &= near & (dot8(hit.normal, ray->direction) < 0.0f);
+    return hit;
+}
+
+/* What pixels show, seen directly or in the mirror. */
+typedef struct Seen8 {
+    Points8 point, normal, direction; /* of the ray that came to it */
+    Colour8 colour;
+    float8 depth_m;        /* of the primary ray's end */
+    int8 hit, mesh, mirror; /* hit: there is a surface; mesh: it is the mesh's */
+} Seen8;
+
+/* Where a mesh is nearer than the surface the ray ends at it. */
+INLINE void end_at_mesh8(__global const float* mesh_m, __global const float* mesh_normals_c, __global const uint* mesh_rgba,
+                         const MapShape mesh_shape, const int step, const int x, const int y, Seen8* seen) {
+    const int8 column = (convert_int8(lanes8()) + x) * step;
+    const int8 inside = (column < mesh_shape.width_px) & (int8)(y * step < mesh_shape.height_px ? -1 : 0);
+    const int8 at = select((int8)(-1), y * step * mesh_shape.pitch_px + column, inside);
+    const float8 depth_m = gather8(mesh_m, at);  // L3:7 L3:8
+    const int8 nearer = inside & (depth_m > 0.0f) & ((seen->depth_m <= 0.0f) | (depth_m < seen->depth_m));  // L3:19
+    if (!any(nearer)) return;
+    const int plane = mesh_shape.pitch_px * mesh_shape.rows_px;
+    const int8 used = select((int8)(-1), at, nearer);
+    const Points8 normal = {gather8(mesh_normals_c, used), gather8(mesh_normals_c + plane, used),
+                            gather8(mesh_normals_c + 2 * plane, used)};
+    seen->depth_m = select(seen->depth_m, depth_m, nearer);
+    seen->normal = choose_points8(seen->normal, normal, nearer);
+    seen->colour = choose_colour8(seen->colour, colour_of8(as_uint8(gather_int8((__global const int*)mesh_rgba, used))), nearer);
+    seen->mesh = nearer;
+    seen->hit |= nearer;
+}
+
+/* Where the sphere is nearest the ray goes on, mirrored, to what is to be seen in it. `camera`, `ray_g`: ray of depth 1. */
+INLINE void follow_mirror8(__global const int* table, __global const int* pool, const VolumeParams volume, const Points8 camera,
+                           const Points8 ray_g, const float4 sphere_vox, const int8 in_picture, Seen8* seen) {
+    const Points8 from = {camera.x - sphere_vox.x, camera.y - sphere_vox.y, camera.z - sphere_vox.z};
+    const float8 a = dot8(ray_g, ray_g), b = dot8(from, ray_g), c = dot8(from, from) - sphere_vox.w * sphere_vox.w;
+    const float8 discriminant = b * b - a * c;
+    const float8 t = (-b - sqrt(fmax(discriminant, 0.0f))) / a, depth_m = t * volume.voxel_m;
+    const int8 nearer = (seen->depth_m <= 0.0f) | (depth_m < seen->depth_m);
+    seen->mirror = in_picture & (discriminant > 0.0f) & (t > 0.0f) & nearer;
+    if (!any(seen->mirror)) return;
+    const Points8 normal = scaled8(along8(from, ray_g, t), (float8)(1.0f / sphere_vox.w));
+    const Points8 reflected = along8(seen->direction, normal, -2.0f * dot8(seen->direction, normal));
+    const Ray8 ray = make_ray8(along8(camera, ray_g, t), reflected, volume);
+    const Hit8 hit = first_hit8(table, pool, volume, &ray, seen->mirror);  // L3:18
+    seen->depth_m = select(seen->depth_m, depth_m, seen->mirror);
+    seen->point = choose_points8(seen->point, along8(ray.origin, ray.direction, hit.t), seen->mirror);
+    seen->normal = choose_points8(seen->normal, hit.normal, seen->mirror);
+    seen->direction = choose_points8(seen->direction, reflected, seen->mirror);
+    seen->hit = select(seen->hit, hit.found, seen->mirror);
+    seen->mesh &= ~seen->mirror;
+}
+
+/* The volume's colours where it has any, else the one for all surfaces. */
+INLINE Colour8 surface_colour8(__global const int* color_table, __global const uint* colors, const VolumeParams volume,
+                               const ViewLightingParams params, const Points8 p, const int8 wanted) {
+    const Colour8 fixed = {(float8)(params.surface.x), (float8)(params.surface.y), (float8)(params.surface.z)};
+    if (!params.has_colors || !any(wanted)) return fixed;
+    const float last = (float)volume.size_vox - 0.5f;
+    const int8 x = convert_int8_rtz(fmax(fmin(p.x, last), 0.0f)), y = convert_int8_rtz(fmax(fmin(p.y, last), 0.0f));
+    const int8 z = convert_int8_rtz(fmax(fmin(p.z, last), 0.0f));
+    const int8 slot = gather_int8(color_table, select((int8)(-1), brick_of8(volume, x, y, z), wanted));
+    const uint8 rgbw = as_uint8(read_slots8((__global const int*)colors, slot, x, y, z));
+    return choose_colour8(fixed, colour_of8(rgbw), (rgbw >> (uint8)(24)) != (uint8)(0));
+}
+
+/* Share of the light that arrives: the edge of a shadow is a voxel wide. The ray begins where it has left its own surface: on its
+ * way, not beside it, so that shadows do not shift. */
+INLINE float8 light_share8(__global const int* table, __global const int* pool, const VolumeParams volume,
+                           const ViewLightingParams params, const Points8 to_light, const float4 sphere_vox, const Seen8* seen,
+                           const float8 cos_light) {
+    const int8 wanted = seen->hit & (cos_light > 0.0f);
+    if (!any(wanted)) return (float8)(0.0f);
+    const Points8 light = normalized8(to_light);
+    const float8 start = params.start_vox / fmax(cos_light, params.grazing_cos);
+    const float8 length = sqrt(dot8(to_light, to_light)) - start;
+    const Ray8 ray = make_ray8(along8(seen->point, light, start), light, volume);
+    const float8 of_surfaces = clearance8(table, pool, volume, &ray, fmin(length, ray.leave), wanted);  // L3:21
+    const float8 of_sphere = sphere_clearance8(ray.origin, light, fmax(length, 0.0f), sphere_vox);
+    const float8 fade = smoothstep(0.0f, params.grazing_cos, cos_light);
+    return select((float8)(0.0f), fade * clamp(0.5f + fmin(of_surfaces, of_sphere), 0.0f, 1.0f), wanted);
+}
+
+INLINE Colour8 sky8(const ViewLightingParams params, const Points8 direction) {
+    const float8 up = direction.x * params.up_g.x + direction.y * params.up_g.y + direction.z * params.up_g.z;
+    const float8 share = clamp(0.5f + 0.5f * up, 0.0f, 1.0f);
+    const Colour8 c = {params.sky_low.x + (params.sky_high.x - params.sky_low.x) * share,
+                       params.sky_low.y + (params.sky_high.y - params.sky_low.y) * share,
+                       params.sky_low.z + (params.sky_high.z - params.sky_low.z) * share};
+    return c;
+}
+
+INLINE uint8 to_byte8(const float8 value) { return convert_uint8_rte(clamp(value, 0.0f, 1.0f) * 255.0f); }
+
+__kernel void light_view(__global const int* table, __global const int* pool, __global const int* color_table,
+                         __global const uint* colors, __global const float* surface_m, __global const float* surface_normals_c,
+                         __global const float* mesh_m, __global const float* mesh_normals_c, __global const uint* mesh_rgba,
+                         __global uint* rgba, __global float* depth_m, const VolumeParams volume, const Intrinsics k,
+                         const MapShape shape, const MapShape mesh_shape, const Pose T_g_c, const ViewLightingParams params) {
+    const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), plane = shape.pitch_px * shape.rows_px;
+    const int at = y * shape.pitch_px + x;
+    const float to_vox = 1.0f / volume.voxel_m;
+    const float4 light_vox = params.light_g_m * to_vox, sphere_vox = params.sphere_g_m * to_vox;
+    const int8 in_picture = (lanes8() + (float)x < (float)shape.width_px) & (int8)(y < shape.height_px ? -1 : 0);
+    const Points8 ray_g = rotate_vectors8(T_g_c, pixel_rays8(k, x, y));
+    const Points8 camera = {(float8)(T_g_c.row_x.w * to_vox), (float8)(T_g_c.row_y.w * to_vox), (float8)(T_g_c.row_z.w * to_vox)};
+    Seen8 seen;
+    seen.depth_m = vload8(0, surface_m + at);
+    seen.hit = seen.depth_m > 0.0f;
+    seen.mesh = seen.mirror = (int8)(0);
+    seen.normal.x = vload8(0, surface_normals_c + at);
+    seen.normal.y = vload8(0, surface_normals_c + plane + at);
+    seen.normal.z = vload8(0, surface_normals_c + 2 * plane + at);
+    seen.colour.r = seen.colour.g = seen.colour.b = (float8)(0.0f);
+    if (params.mesh_step) end_at_mesh8(mesh_m, mesh_normals_c, mesh_rgba, mesh_shape, params.mesh_step, x, y, &seen);
+    seen.normal = rotate_vectors8(T_g_c, seen.normal);
+    seen.point = along8(camera, ray_g, seen.depth_m * to_vox);
+    seen.direction = normalized8(ray_g);
+    if (sphere_vox.w > 0.0f) follow_mirror8(table, pool, volume, camera, ray_g, sphere_vox, in_picture, &seen);
+    const Colour8 own = surface_colour8(color_table, colors, volume, params, seen.point, seen.hit & ~seen.mesh);
+    const Colour8 base = choose_colour8(own, seen.colour, seen.mesh);  // L3:20
+
+    const Points8 to_light = {light_vox.x - seen.point.x, light_vox.y - seen.point.y, light_vox.z - seen.point.z};
+    const Points8 light = normalized8(to_light);
+    const float8 cos_light = dot8(seen.normal, light);
+    const float8 share = light_share8(table, pool, volume, params, to_light, sphere_vox, &seen, cos_light);
+    const float8 level = params.ambient + params.diffuse * fmax(cos_light, 0.0f) * share;
+    float8 shine = fmax(dot8(along8(light, seen.normal, -2.0f * cos_light), seen.direction), 0.0f);
+    shine *= shine, shine *= shine, shine *= shine, shine *= shine;
+    shine *= params.surface.w * share;
+    const Colour8 lit = {base.r * level + shine, base.g * level + shine, base.b * level + shine};
+    const Colour8 shown = choose_colour8(sky8(params, seen.direction), lit, seen.hit);
+    const float8 kept = select((float8)(1.0f), (float8)(params.mirror), seen.mirror);
+    vstore8(to_byte8(shown.r * kept) | (to_byte8(shown.g * kept) << (uint8)(8)) | (to_byte8(shown.b * kept) << (uint8)(16)) |
+                (uint8)(0xff000000u), 0, rgba + at);
+    vstore8(seen.depth_m, 0, depth_m + at);
+}

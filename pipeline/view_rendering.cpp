@@ -1,0 +1,120 @@
+#include "pipeline/view_rendering.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "pipeline/kernel_program.hpp"
+
+namespace touchstone {
+
+namespace {
+
+Float4 with(const Eigen::Vector3f& v, float w) { return {v.x(), v.y(), v.z(), w}; }
+
+ViewLightingParams make_params(const ViewLook& look, const ViewScene& scene) {
+    constexpr float rad_per_deg = 0.017453293f;
+    ViewLightingParams params{};
+    params.light_g_m = with(scene.light_g_m, 0.0f);
+    if (scene.sphere) params.sphere_g_m = with(scene.sphere->centre_g_m, scene.sphere->radius_m);
+    params.surface = with(look.surface, look.specular);
+    params.sky_low = with(look.sky_low, 0.0f);
+    params.sky_high = with(look.sky_high, 0.0f);
+    params.up_g = with(look.up_g, 0.0f);
+    params.ambient = look.ambient;
+    params.diffuse = look.diffuse;
+    params.grazing_cos = std::max(1e-3f, std::cos(look.grazing_angle_deg * rad_per_deg));
+    params.start_vox = look.shadow_start_vox;
+    params.mirror = look.mirror;
+    return params;
+}
+
+/// Pixel (x, y) of the half view is pixel (2x, 2y) of the whole.
+Intrinsics halved(const Intrinsics& k) {
+    return {0.5f * k.fx_px,       0.5f * k.fy_px,        0.5f * k.cx_px, 0.5f * k.cy_px,
+            (k.width_px + 1) / 2, (k.height_px + 1) / 2, {0, 0}};
+}
+
+}  // namespace
+
+ViewRendering::HalfView::HalfView(const Device& device, const Intrinsics& half)
+    : intrinsics(half),
+      raycasting(device, half),
+      surface(device, make_map_shape(half)),
+      picture(device, make_map_shape(half)) {}
+
+ViewRendering::ViewRendering(const Device& device, const ViewLook& look, const Intrinsics& intrinsics)
+    : device_(&device),
+      look_(look),
+      intrinsics_(intrinsics),
+      lighting_(load_kernel_program(device, "view_lighting.cl")),
+      spreading_(load_kernel_program(device, "view_spreading.cl")),
+      light_view_(lighting_.kernel("light_view")),
+      spread_view_(spreading_.kernel("spread_view")),
+      raycasting_(device, intrinsics),
+      surface_(device, make_map_shape(intrinsics)),
+      picture_(device, make_map_shape(intrinsics)),
+      color_table_(device, 1),
+      no_colors_(device, 1) {}
+
+ShadedView ViewRendering::render(const TsdfVolume& volume, const RigidTransform& T_g_c,
+                                 const ViewScene& scene, ViewQuality quality) {
+    if (quality == ViewQuality::full) {
+        raycasting_.raycast(volume, T_g_c, surface_);
+        return light(volume, T_g_c, surface_, scene);
+    }
+    if (!half_) half_.emplace(*device_, halved(intrinsics_));
+    half_->raycasting.raycast(volume, T_g_c, half_->surface);
+    launch(volume, T_g_c, half_->surface, scene, half_->intrinsics, 2, half_->picture);
+    spread_view_.launch(sixteen_pixels_each(picture_.shape), half_->picture.rgba, half_->picture.depth_m,
+                        picture_.rgba, picture_.depth_m, half_->picture.shape, picture_.shape);
+    return read_picture();
+}
+
+ShadedView ViewRendering::light(const TsdfVolume& volume, const RigidTransform& T_g_c,
+                                const SurfacePrediction& surface, const ViewScene& scene) {
+    launch(volume, T_g_c, surface, scene, intrinsics_, 1, picture_);
+    return read_picture();
+}
+
+void ViewRendering::launch(const TsdfVolume& volume, const RigidTransform& T_g_c,
+                           const SurfacePrediction& surface, const ViewScene& scene,
+                           const Intrinsics& intrinsics, int mesh_step, Picture& picture) {
+    ViewLightingParams params = make_params(look_, scene);
+    params.has_colors = update_color_table(volume) ? 1 : 0;
+    params.mesh_step = scene.mesh != nullptr ? mesh_step : 0;
+    // Where there is no mesh the kernel reads none: any map will do.
+    const MeshMaps mesh =
+        scene.mesh != nullptr ? *scene.mesh : MeshMaps{surface.depth_m, surface.normals_c, picture.rgba};
+    const Buffer<std::uint32_t>& colors = params.has_colors != 0 ? volume.colors()->colors() : no_colors_;
+    light_view_.launch(eight_pixels_each(picture.shape), volume.table(), volume.pool(), color_table_, colors,
+                       surface.depth_m, surface.normals_c, mesh.depth_m, mesh.normals_c, mesh.rgba,
+                       picture.rgba, picture.depth_m, volume.params(), intrinsics, picture.shape,
+                       picture_.shape, to_pose(T_g_c), params);
+}
+
+bool ViewRendering::update_color_table(const TsdfVolume& volume) {
+    if (volume.colors() == nullptr || volume.colors()->bricks().empty()) return false;
+    if (color_table_.size() != volume.brick_count())
+        color_table_ = Buffer<int>(*device_, volume.brick_count());
+    const auto table = color_table_.map_write();
+    std::ranges::fill(table.values(), -1);
+    for (const int brick : volume.colors()->bricks())
+        table[static_cast<std::size_t>(brick)] = volume.colors()->slot(brick);
+    return true;
+}
+
+ShadedView ViewRendering::read_picture() const {
+    const MapShape& shape = picture_.shape;
+    ShadedView view{shape.width_px, shape.height_px, {}};
+    const std::size_t row_bytes = 4 * static_cast<std::size_t>(shape.width_px);
+    view.rgba.resize(row_bytes * static_cast<std::size_t>(shape.height_px));
+    const auto rgba = picture_.rgba.map_read();
+    for (int y = 0; y < shape.height_px; ++y) {
+        std::memcpy(view.rgba.data() + static_cast<std::size_t>(y) * row_bytes, &rgba[map_index(shape, 0, y)],
+                    row_bytes);
+    }
+    return view;
+}
+
+}  // namespace touchstone
