@@ -60,7 +60,7 @@ class ViewLighting : public testing::Test {
     Intrinsics k = test::small_camera(200, 150);
     MapShape shape = make_map_shape(k);
     ViewLook look;
-    TsdfVolume volume = restore_volume(device, test::lit_scene_snapshot());
+    TsdfVolume volume = restore_volume(device, test::without_free_bricks(test::lit_scene_snapshot()));
     RigidTransform T_g_c = test::looking_at({0.45f, 0.05f, -0.25f}, {0.32f, 0.42f, 0.40f});
     Eigen::Vector3f light_g_m{0.08f, 0.10f, 0.10f};
     ViewRendering rendering{device, look, k};

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "pipeline/types.hpp"
 #include "tests/support/analytic_scene.hpp"
@@ -38,6 +40,23 @@ inline VolumeSnapshot lit_scene_snapshot() {
         snapshot.colors[i] = rgb.x() | rgb.y() << 8 | rgb.z() << 16 | 10u << 24;
     });
     return snapshot;
+}
+
+/// The same without the bricks that are farther than the truncation from every surface, as scans are.
+inline VolumeSnapshot without_free_bricks(const VolumeSnapshot& all) {
+    VolumeSnapshot sparse;
+    sparse.config = all.config;
+    for (std::size_t i = 0; i < all.bricks.size(); ++i) {
+        const auto voxels = std::span(all.voxels).subspan(i * BRICK_VOXELS, BRICK_VOXELS);
+        const auto colors = std::span(all.colors).subspan(i * BRICK_VOXELS, BRICK_VOXELS);
+        if (std::ranges::all_of(voxels, [](int v) { return (v & 0xffff) == static_cast<int>(TSDF_SCALE); }))
+            continue;
+        sparse.bricks.push_back(all.bricks[i]);
+        sparse.color_bricks.push_back(all.bricks[i]);
+        sparse.voxels.insert(sparse.voxels.end(), voxels.begin(), voxels.end());
+        sparse.colors.insert(sparse.colors.end(), colors.begin(), colors.end());
+    }
+    return sparse;
 }
 
 /// Camera at `from` that looks at `to`, its x axis level.
