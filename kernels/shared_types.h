@@ -162,13 +162,19 @@ typedef struct ShadingParams {
     Float4 background, foreground, unknown, light_c;
 } ShadingParams;
 
+/* Instead of a slot: rays may pass the brick, or the whole group of bricks that it is in. */
+#define SKIP_GROUP_BRICKS 4
+enum BrickSkip { SKIP_BRICK = -1, SKIP_GROUP = -2 };
+
 /* Lighting of a view from anywhere. Global frame, metres; colours 0..1. A pixel's colour is base (ambient + diffuse cos(n, l) v) +
  * surface.w cos(r, view)^16 v for the share v of the light that reaches it: 0 below cos(n, l) = 0, whole from grazing_cos on.
  * Shadow rays start start_vox voxels over the surface. Of every mesh_step-th pixel and row of the mesh's maps; 0: there is no mesh. */
 typedef struct ViewLightingParams {
     Float4 light_g_m, sphere_g_m; /* sphere's w: radius, 0 where there is none */
     Float4 surface;               /* colour where the volume has none; w: how much it shines */
+    Float4 unknown;               /* where rays of the view meet nothing; mirrored ones see the sky */
     Float4 sky_low, sky_high, up_g;
+    Float4 low_vox, high_vox; /* beyond this box secondary rays meet nothing */
     float ambient, diffuse, grazing_cos, start_vox;
     float mirror; /* share of the light that the sphere reflects */
     int mesh_step, has_colors, reserved;

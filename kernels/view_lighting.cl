@@ -7,7 +7,7 @@ typedef struct Colour8 {
 
 typedef struct Ray8 {
     Points8 origin, direction; /* length 1 */
-    float8 enter, leave;       /* of the cube: enter is at least 0, leave is less where the ray misses it */
+    float8 enter, leave;       /* of the box that holds all surfaces: enter >= 0, leave < enter where it is missed */
 } Ray8;
 
 INLINE Points8 scaled8(const Points8 p, const float8 by) {
@@ -42,27 +42,27 @@ INLINE Colour8 colour_of8(const uint8 rgba) {
     return c;
 }
 
-INLINE void clip_axis8(const float8 origin, const float8 direction, const float size, float8* enter, float8* leave) {
+INLINE void clip_axis8(const float8 origin, const float8 direction, const float low, const float high, float8* enter,
+                       float8* leave) {
     const float8 per_voxel = 1.0f / copysign(fmax(fabs(direction), 1e-6f), direction);
-    const float8 a = -origin * per_voxel, b = (size - origin) * per_voxel;
+    const float8 a = (low - origin) * per_voxel, b = (high - origin) * per_voxel;
     *enter = fmax(*enter, fmin(a, b));
     *leave = fmin(*leave, fmax(a, b));
 }
 
-INLINE Ray8 make_ray8(const Points8 origin, const Points8 direction, const VolumeParams volume) {
-    const float size = (float)volume.size_vox;
+INLINE Ray8 make_ray8(const Points8 origin, const Points8 direction, const ViewLightingParams params) {
+    const float4 low = params.low_vox, high = params.high_vox;
     Ray8 ray = {origin, direction, (float8)(0.0f), (float8)(1e9f)};
-    clip_axis8(origin.x, direction.x, size, &ray.enter, &ray.leave);
-    clip_axis8(origin.y, direction.y, size, &ray.enter, &ray.leave);
-    clip_axis8(origin.z, direction.z, size, &ray.enter, &ray.leave);
+    clip_axis8(origin.x, direction.x, low.x, high.x, &ray.enter, &ray.leave);
+    clip_axis8(origin.y, direction.y, low.y, high.y, &ray.enter, &ray.leave);
+    clip_axis8(origin.z, direction.z, low.z, high.z, &ray.enter, &ray.leave);
     return ray;
 }
 
-/* What is left of a brick along an axis. */
-INLINE float8 rest_along8(const float8 p, const float8 direction) {
-    const float side = BRICK_VOX;
-    const float8 in_brick = p - side * floor(p / side);
-    return select(in_brick, side - in_brick, direction > 0.0f) / fmax(fabs(direction), 1e-3f);
+/* What is left along an axis of the cells of this side, and a little, so that rounding does not keep a ray in them. */
+INLINE float8 rest_along8(const float8 p, const float8 direction, const float8 side) {
+    const float8 in_cell = p - side * floor(p / side);
+    return (select(in_cell, side - in_cell, direction > 0.0f) + 0.01f) / fmax(fabs(direction), 1e-3f);
 }
 
 typedef struct Look8 {
@@ -71,7 +71,7 @@ typedef struct Look8 {
     int8 known;
 } Look8;
 
-/* The voxels at t. Absent bricks are passed at once. */
+/* The voxels at t. Bricks that are not in the table are passed at once, and so are groups of them. */
 INLINE Look8 look8(__global const int* table, __global const int* pool, const VolumeParams volume, const Ray8* ray, const float8 t,
                    const int8 live) {
     const float last = (float)volume.size_vox - 0.5f, truncation_vox = volume.max_truncation_m / volume.voxel_m;
@@ -84,11 +84,12 @@ INLINE Look8 look8(__global const int* table, __global const int* pool, const Vo
     r.known = voxel_weight8(voxel) > 0;
     r.distance = select((float8)(0.0f), voxel_tsdf8(voxel) * truncation_vox, r.known);
     r.step = select((float8)(2.0f), fmax(1.0f, 0.8f * r.distance), r.known);
-    const int8 absent = live & (slot < 0);
-    if (any(absent)) {
-        const float8 rest = fmin(fmin(rest_along8(p.x, ray->direction.x), rest_along8(p.y, ray->direction.y)),
-                                 rest_along8(p.z, ray->direction.z));
-        r.step = select(r.step, fmax(r.step, rest), absent);
+    const int8 passed = live & (slot < 0);
+    if (any(passed)) {
+        const float8 side = select((float8)(BRICK_VOX), (float8)(SKIP_GROUP_BRICKS * BRICK_VOX), slot == SKIP_GROUP);
+        const float8 rest = fmin(fmin(rest_along8(p.x, ray->direction.x, side), rest_along8(p.y, ray->direction.y, side)),
+                                 rest_along8(p.z, ray->direction.z, side));
+        r.step = select(r.step, fmax(r.step, rest), passed);
     }
     return r;
 }
@@ -193,8 +194,9 @@ INLINE void end_at_mesh8(__global const float* mesh_m, __global const float* mes
 }
 
 /* Where the sphere is nearest the ray goes on, mirrored, to what is to be seen in it. `camera`, `ray_g`: ray of depth 1. */
-INLINE void follow_mirror8(__global const int* table, __global const int* pool, const VolumeParams volume, const Points8 camera,
-                           const Points8 ray_g, const float4 sphere_vox, const int8 in_picture, Seen8* seen) {
+INLINE void follow_mirror8(__global const int* table, __global const int* pool, const VolumeParams volume,
+                           const ViewLightingParams params, const Points8 camera, const Points8 ray_g, const float4 sphere_vox,
+                           const int8 in_picture, Seen8* seen) {
     const Points8 from = {camera.x - sphere_vox.x, camera.y - sphere_vox.y, camera.z - sphere_vox.z};
     const float8 a = dot8(ray_g, ray_g), b = dot8(from, ray_g), c = dot8(from, from) - sphere_vox.w * sphere_vox.w;
     const float8 discriminant = b * b - a * c;
@@ -204,7 +206,7 @@ INLINE void follow_mirror8(__global const int* table, __global const int* pool, 
     if (!any(seen->mirror)) return;
     const Points8 normal = scaled8(along8(from, ray_g, t), (float8)(1.0f / sphere_vox.w));
     const Points8 reflected = along8(seen->direction, normal, -2.0f * dot8(seen->direction, normal));
-    const Ray8 ray = make_ray8(along8(camera, ray_g, t), reflected, volume);
+    const Ray8 ray = make_ray8(along8(camera, ray_g, t), reflected, params);
     const Hit8 hit = first_hit8(table, pool, volume, &ray, seen->mirror);  // L3:18
     seen->depth_m = select(seen->depth_m, depth_m, seen->mirror);
     seen->point = choose_points8(seen->point, along8(ray.origin, ray.direction, hit.t), seen->mirror);
@@ -214,17 +216,29 @@ INLINE void follow_mirror8(__global const int* table, __global const int* pool, 
     seen->mesh &= ~seen->mirror;
 }
 
-/* The volume's colours where it has any, else the one for all surfaces. */
+/* The volume's colours around p, those that there are weighed by nearness; else the one for all surfaces. */
 INLINE Colour8 surface_colour8(__global const int* color_table, __global const uint* colors, const VolumeParams volume,
                                const ViewLightingParams params, const Points8 p, const int8 wanted) {
     const Colour8 fixed = {(float8)(params.surface.x), (float8)(params.surface.y), (float8)(params.surface.z)};
     if (!params.has_colors || !any(wanted)) return fixed;
-    const float last = (float)volume.size_vox - 0.5f;
-    const int8 x = convert_int8_rtz(fmax(fmin(p.x, last), 0.0f)), y = convert_int8_rtz(fmax(fmin(p.y, last), 0.0f));
-    const int8 z = convert_int8_rtz(fmax(fmin(p.z, last), 0.0f));
-    const int8 slot = gather_int8(color_table, select((int8)(-1), brick_of8(volume, x, y, z), wanted));
-    const uint8 rgbw = as_uint8(read_slots8((__global const int*)colors, slot, x, y, z));
-    return choose_colour8(fixed, colour_of8(rgbw), (rgbw >> (uint8)(24)) != (uint8)(0));
+    const float last = (float)volume.size_vox - 1.5f;
+    const float8 px = fmax(fmin(p.x - 0.5f, last), 0.0f), py = fmax(fmin(p.y - 0.5f, last), 0.0f);
+    const float8 pz = fmax(fmin(p.z - 0.5f, last), 0.0f);
+    const int8 x = convert_int8_rtz(px), y = convert_int8_rtz(py), z = convert_int8_rtz(pz);
+    const float8 ax = px - convert_float8(x), ay = py - convert_float8(y), az = pz - convert_float8(z);
+    Colour8 sum = {(float8)(0.0f), (float8)(0.0f), (float8)(0.0f)};
+    float8 weights = (float8)(1e-6f);
+    for (int corner = 0; corner < 8; ++corner) {
+        const int dx = corner & 1, dy = (corner >> 1) & 1, dz = corner >> 2;
+        const uint8 rgbw = as_uint8(read_voxels8(color_table, (__global const int*)colors, volume, x + dx, y + dy, z + dz));
+        const float8 near = (dx ? ax : 1.0f - ax) * (dy ? ay : 1.0f - ay) * (dz ? az : 1.0f - az);
+        const float8 weight = select((float8)(0.0f), near, (rgbw >> (uint8)(24)) != (uint8)(0));
+        const Colour8 c = colour_of8(rgbw);
+        sum.r += c.r * weight, sum.g += c.g * weight, sum.b += c.b * weight;
+        weights += weight;
+    }
+    const Colour8 mean = {sum.r / weights, sum.g / weights, sum.b / weights};
+    return choose_colour8(fixed, mean, weights > 1e-3f);
 }
 
 /* Share of the light that arrives: the edge of a shadow is a voxel wide. The ray begins where it has left its own surface: on its
@@ -237,7 +251,7 @@ INLINE float8 light_share8(__global const int* table, __global const int* pool, 
     const Points8 light = normalized8(to_light);
     const float8 start = params.start_vox / fmax(cos_light, params.grazing_cos);
     const float8 length = sqrt(dot8(to_light, to_light)) - start;
-    const Ray8 ray = make_ray8(along8(seen->point, light, start), light, volume);
+    const Ray8 ray = make_ray8(along8(seen->point, light, start), light, params);
     const float8 of_surfaces = clearance8(table, pool, volume, &ray, fmin(length, ray.leave), wanted);  // L3:21
     const float8 of_sphere = sphere_clearance8(ray.origin, light, fmax(length, 0.0f), sphere_vox);
     const float8 fade = smoothstep(0.0f, params.grazing_cos, cos_light);
@@ -279,7 +293,7 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     seen.normal = rotate_vectors8(T_g_c, seen.normal);
     seen.point = along8(camera, ray_g, seen.depth_m * to_vox);
     seen.direction = normalized8(ray_g);
-    if (sphere_vox.w > 0.0f) follow_mirror8(table, pool, volume, camera, ray_g, sphere_vox, in_picture, &seen);
+    if (sphere_vox.w > 0.0f) follow_mirror8(table, pool, volume, params, camera, ray_g, sphere_vox, in_picture, &seen);
     const Colour8 own = surface_colour8(color_table, colors, volume, params, seen.point, seen.hit & ~seen.mesh);
     const Colour8 base = choose_colour8(own, seen.colour, seen.mesh);  // L3:20
 
@@ -292,7 +306,9 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     shine *= shine, shine *= shine, shine *= shine, shine *= shine;
     shine *= params.surface.w * share;
     const Colour8 lit = {base.r * level + shine, base.g * level + shine, base.b * level + shine};
-    const Colour8 shown = choose_colour8(sky8(params, seen.direction), lit, seen.hit);
+    const Colour8 unknown = {(float8)(params.unknown.x), (float8)(params.unknown.y), (float8)(params.unknown.z)};
+    const Colour8 beyond = choose_colour8(unknown, sky8(params, seen.direction), seen.mirror);
+    const Colour8 shown = choose_colour8(beyond, lit, seen.hit);
     const float8 kept = select((float8)(1.0f), (float8)(params.mirror), seen.mirror);
     vstore8(to_byte8(shown.r * kept) | (to_byte8(shown.g * kept) << (uint8)(8)) | (to_byte8(shown.b * kept) << (uint8)(16)) |
                 (uint8)(0xff000000u), 0, rgba + at);

@@ -18,6 +18,7 @@ ViewLightingParams make_params(const ViewLook& look, const ViewScene& scene) {
     params.light_g_m = with(scene.light_g_m, 0.0f);
     if (scene.sphere) params.sphere_g_m = with(scene.sphere->centre_g_m, scene.sphere->radius_m);
     params.surface = with(look.surface, look.specular);
+    params.unknown = with(look.unknown, 0.0f);
     params.sky_low = with(look.sky_low, 0.0f);
     params.sky_high = with(look.sky_high, 0.0f);
     params.up_g = with(look.up_g, 0.0f);
@@ -51,6 +52,7 @@ ViewRendering::ViewRendering(const Device& device, const ViewLook& look, const I
       spreading_(load_kernel_program(device, "view_spreading.cl")),
       light_view_(lighting_.kernel("light_view")),
       spread_view_(spreading_.kernel("spread_view")),
+      skipping_(device),
       raycasting_(device, intrinsics),
       surface_(device, make_map_shape(intrinsics)),
       picture_(device, make_map_shape(intrinsics)),
@@ -81,14 +83,17 @@ void ViewRendering::launch(const TsdfVolume& volume, const RigidTransform& T_g_c
                            const SurfacePrediction& surface, const ViewScene& scene,
                            const Intrinsics& intrinsics, int mesh_step, Picture& picture) {
     ViewLightingParams params = make_params(look_, scene);
+    skipping_.update(volume);
+    params.low_vox = with(skipping_.low_vox(), 0.0f);
+    params.high_vox = with(skipping_.high_vox(), 0.0f);
     params.has_colors = update_color_table(volume) ? 1 : 0;
     params.mesh_step = scene.mesh != nullptr ? mesh_step : 0;
     // Where there is no mesh the kernel reads none: any map will do.
     const MeshMaps mesh =
         scene.mesh != nullptr ? *scene.mesh : MeshMaps{surface.depth_m, surface.normals_c, picture.rgba};
     const Buffer<std::uint32_t>& colors = params.has_colors != 0 ? volume.colors()->colors() : no_colors_;
-    light_view_.launch(eight_pixels_each(picture.shape), volume.table(), volume.pool(), color_table_, colors,
-                       surface.depth_m, surface.normals_c, mesh.depth_m, mesh.normals_c, mesh.rgba,
+    light_view_.launch(eight_pixels_each(picture.shape), skipping_.table(), volume.pool(), color_table_,
+                       colors, surface.depth_m, surface.normals_c, mesh.depth_m, mesh.normals_c, mesh.rgba,
                        picture.rgba, picture.depth_m, volume.params(), intrinsics, picture.shape,
                        picture_.shape, to_pose(T_g_c), params);
 }

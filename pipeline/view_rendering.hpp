@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "pipeline/maps.hpp"
+#include "pipeline/ray_skipping.hpp"
 #include "pipeline/raycasting.hpp"
 #include "pipeline/tsdf_volume.hpp"
 #include "pipeline/types.hpp"
@@ -14,8 +15,10 @@ namespace touchstone {
 
 /// How surfaces look: colours 0..1, shares of the light 0..1.
 struct ViewLook {
-    Eigen::Vector3f surface{0.62f, 0.66f, 0.72f};   ///< where the volume keeps no colour
-    Eigen::Vector3f sky_low{0.20f, 0.22f, 0.26f};   ///< where rays meet nothing, downwards and
+    Eigen::Vector3f surface{0.62f, 0.66f, 0.72f};     ///< where the volume keeps no colour
+    Eigen::Vector3f unknown{0.055f, 0.063f, 0.078f};  ///< where nothing is to be seen
+    Eigen::Vector3f sky_low{0.20f, 0.22f,
+                            0.26f};  ///< what mirrored rays see that meet nothing, downwards and
     Eigen::Vector3f sky_high{0.55f, 0.63f, 0.75f};  ///< upwards
     Eigen::Vector3f up_g{0.0f, -1.0f, 0.0f};        ///< length 1
     float ambient = 0.30f;
@@ -52,7 +55,8 @@ enum class ViewQuality {
 
 /// Listing 3 in full, Fig 12: a volume from any 6DOF view, lit by Phong's model, with shadows, a mirror
 /// sphere and a mesh that hide and are hidden as their depths say. The mesh takes shadows but casts none, and
-/// is not seen in the mirror. Surfaces from behind are not shown: there is sky.
+/// is not seen in the mirror. Surfaces seen
+/// from behind are unknown.
 class ViewRendering {
   public:
     /// `intrinsics`: of the view.
@@ -64,7 +68,8 @@ class ViewRendering {
     /// Lights a surface that was cast from this pose already.
     ShadedView light(const TsdfVolume& volume, const RigidTransform& T_g_c, const SurfacePrediction& surface,
                      const ViewScene& scene);
-    /// Of the last view: depth z, metres, of what each pixel shows, sphere and mesh too; 0 where that is sky.
+    /// Of the last view: depth z, metres, of what each pixel shows, sphere and mesh too; 0 where that is
+    /// unknown.
     const Buffer<float>& depth_m() const { return picture_.depth_m; }
 
   private:
@@ -94,6 +99,7 @@ class ViewRendering {
     Intrinsics intrinsics_;
     Program lighting_, spreading_;
     Kernel light_view_, spread_view_;
+    RaySkipping skipping_;
     Raycasting raycasting_;
     SurfacePrediction surface_;
     Picture picture_;
