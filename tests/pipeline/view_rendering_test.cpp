@@ -211,6 +211,25 @@ TEST_F(MeshInTheView, TakesTheShadowsOfTheVolume) {
     EXPECT_EQ(wrong, 0) << "more than one of 255 levels off";
 }
 
+TEST_F(MeshInTheView, IsHiddenByTheSphereBeforeItAndNotSeenInIt) {
+    const MirrorSphere sphere{{0.20f, 0.40f, 0.22f}, 0.08f};
+    render({light_g_m, sphere, nullptr});
+    const ShadedView without = view;
+    draw_mesh(0.80f, 0, 0, 150, 111);
+    render({light_g_m, sphere, &mesh});
+    int compared = 0, other = 0;
+    for_each_pixel([&](int x, int y) {
+        const auto entry =
+            reference::sphere_entry(T_g_c.translation(), ray_g(x, y), sphere.centre_g_m, sphere.radius_m);
+        if (!entry || std::abs(depth_m[at(x, y)] - *entry) > 1e-4f) return;
+        ++compared;
+        for (std::size_t c = 0; c < 3; ++c)
+            other += view.rgba[4 * at(x, y) + c] != without.rgba[4 * at(x, y) + c];
+    });
+    EXPECT_GT(compared, 800);
+    EXPECT_EQ(other, 0);
+}
+
 TEST_F(MeshInTheView, HalfQualityRepeatsEverySecondPixelOfTheFullView) {
     draw_mesh(0.68f, 21, 21, 140, 100);
     const ViewScene scene{light_g_m, MirrorSphere{{0.20f, 0.40f, 0.22f}, 0.08f}, &mesh};
