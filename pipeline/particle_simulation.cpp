@@ -85,6 +85,13 @@ void ParticleSimulation::add(std::span<const Particle> particles) {
     count_ = static_cast<int>(kept.size());
 }
 
+void ParticleSimulation::remove_if(const std::function<bool(const Particle&)>& goes) {
+    std::vector<Particle> all = particles();
+    if (std::erase_if(all, goes) == 0) return;
+    moving_.write(all);
+    count_ = static_cast<int>(all.size());
+}
+
 void ParticleSimulation::clear() {
     count_ = 0;
     time_left_s_ = 0.0f;

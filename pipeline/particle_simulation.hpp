@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,6 +43,7 @@ class ParticleSimulation {
 
     /// Ids of those that are given do not matter.
     void add(std::span<const Particle> particles);
+    void remove_if(const std::function<bool(const Particle&)>& goes);
     void clear();
     void set_gravity(const Eigen::Vector3f& gravity) { gravity_ = gravity; }
     /// Spheres in the way, at these places with these velocities, until they are set anew. Ids do not matter.
