@@ -61,8 +61,9 @@ Perception::Perception(const RunOptions& options)
 
 Perception::~Perception() {
     if (!pipeline_) return;
-    for (const StageSummary& stage : pipeline_->stage_times().summary()) {
-        log_debug("{}: median {:.2f} ms, 99 % {:.2f} ms", stage.stage, stage.median_ms, stage.p99_ms);
+    for (const StageTimes* times : {&pipeline_->stage_times(), &std::as_const(scene_times_)}) {
+        for (const StageSummary& stage : times->summary())
+            log_debug("{}: median {:.2f} ms, 99 % {:.2f} ms", stage.stage, stage.median_ms, stage.p99_ms);
     }
 }
 
@@ -154,6 +155,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
     }
     if (particles_ && result.state == InteractionState::live)
         shown.particles = move_particles(result, frame.timestamp_us);
+    scene_times_.end_frame();
     shown.touches = result.touches;
     shown.hovers = result.hovers;
     if (calibrates(result.state)) take_crosses(result);
@@ -253,6 +255,7 @@ void Perception::publish(const InteractionFrame& result, const DepthFrame& frame
 
 std::shared_ptr<const ParticleView> Perception::move_particles(const InteractionFrame& result,
                                                                std::uint64_t timestamp_us) {
+    const StageTimer timer(scene_times_, "particles");
     const BackgroundModel& background = *pipeline_->background();
     const std::vector<std::uint8_t> foreground = pipeline_->foreground_map();
     return std::make_shared<ParticleView>(

@@ -81,6 +81,7 @@ class Perception {
     std::optional<CrossStep> crosses_;  ///< until they told the bias of touches
     TouchBias bias_;
     std::optional<ParticleTable> particles_;  ///< in the scene of that name
+    StageTimes scene_times_;
     Intrinsics intrinsics_{};
     std::chrono::steady_clock::time_point last_frame_{};
     float rate_hz_ = 0.0f;

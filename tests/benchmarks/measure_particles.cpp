@@ -60,17 +60,69 @@ StageSummary measure(const Device& device, const TsdfVolume& volume, int count, 
     return times.summary("particles");
 }
 
+/// Two hands that wander over the surface at up to 0.4 m/s, through all that lies there, and down to it.
+std::vector<Particle> wandering_hands(float time_s) {
+    std::vector<Particle> still;
+    for (const float phase : {0.0f, 2.1f}) {
+        const Eigen::Vector3f at_m(0.75f + 0.25f * std::sin(0.9f * time_s + phase),
+                                   0.75f + 0.25f * std::sin(1.3f * time_s + 2.0f * phase),
+                                   0.14f + 0.035f * std::sin(0.7f * time_s + phase));
+        for (int i = 0; i < still_of_a_hand; ++i)
+            still.push_back({at_m + 0.007f * Eigen::Vector3f(static_cast<float>(i % 14),
+                                                             static_cast<float>(i / 14), 0.0f)});
+    }
+    return still;
+}
+
+/// Prints how many have passed the surface, and the fastest at the end, after hands have stirred them.
+void endure(const Device& device, const TsdfVolume& volume, int count, float minutes) {
+    ParticleConfig config;
+    config.capacity = count;
+    config.low_m = Eigen::Vector3f(0.1f, 0.1f, -1.0f);
+    config.high_m = Eigen::Vector3f(1.4f, 1.4f, 1.4f);
+    ParticleSimulation simulation(device, config);
+    simulation.set_gravity({0.0f, 0.0f, -9.81f});
+    simulation.add(block(count, config.radius_m, 1.5f));
+    const int frames = static_cast<int>(60.0f * minutes / frame_s);
+    float deepest_m = 0.0f;
+    for (int frame = 0; frame < frames; ++frame) {
+        simulation.set_still(wandering_hands(frame_s * static_cast<float>(frame)));
+        simulation.advance(frame_s, &volume);
+        if (frame % 30 != 29) continue;
+        for (const Particle& p : simulation.particles())
+            deepest_m = std::max(deepest_m, 0.1f - p.position_m.z());
+    }
+    simulation.set_still({});
+    for (int frame = 0; frame < 150; ++frame) simulation.advance(frame_s, &volume);
+    int passed = 0;
+    float fastest = 0.0f;
+    for (const Particle& p : simulation.particles()) {
+        passed += p.position_m.z() < 0.1f - config.radius_m ? 1 : 0;
+        fastest = std::max(fastest, p.velocity.norm());
+    }
+    fmt::print(
+        "{} particles, {} minutes: {} have passed the surface, the deepest middle was {:.1f} mm in it; five "
+        "seconds after the hands the fastest moves at {:.3f} m/s\n",
+        simulation.count(), minutes, passed, 1e3f * deepest_m, fastest);
+}
+
 int run(int argc, char** argv) {
     CLI::App app("Time of a frame of particles against their number.");
     std::vector<int> counts{1024, 2048, 4096, 8192, 16384, 32768, 65536, 131072};
     int frames = 90;
     app.add_option("--counts", counts, "of particles");
     app.add_option("--frames", frames, "measured, of 1/30 s");
+    float minutes = 0.0f;
+    app.add_option("--endure", minutes, "instead: so many minutes of the first count, stirred by hands");
     CLI11_PARSE(app, argc, argv);
     const Device device(DeviceConfig{.choice = "auto", .cache_dir = default_cache_dir()});
     const VolumeConfig config{.size_vox = 128, .side_m = 1.5f};
     const TsdfVolume volume = restore_volume(
         device, test::snapshot_of(config, [](const Eigen::Vector3f& p) { return p.z() - 0.1f; }));
+    if (minutes > 0.0f) {
+        endure(device, volume, counts.front(), minutes);
+        return 0;
+    }
     fmt::print("{:>10} {:>10} {:>9} {:>16}\n", "particles", "median ms", "99 % ms", "us a particle");
     for (const int count : counts) {
         const StageSummary summary = measure(device, volume, count, frames);
