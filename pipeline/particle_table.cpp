@@ -19,17 +19,18 @@ Eigen::Vector3f back_projected(const Intrinsics& k, int x, int y, float z_m) {
 }
 
 std::vector<std::uint16_t> nearest_real_mm(const ParticleTableFrame& frame, const Intrinsics& k) {
-    const MapShape& shape = frame.live.shape;
     const auto live_m = frame.live.depth_m.map_read();
     const auto model_m = frame.background.depth_m.map_read();
-    std::vector<std::uint16_t> depth_mm;
-    depth_mm.reserve(frame.foreground.size());
+    const auto width = static_cast<std::size_t>(k.width_px);
+    std::vector<std::uint16_t> depth_mm(frame.foreground.size());
     for (int y = 0; y < k.height_px; ++y) {
-        for (int x = 0; x < k.width_px; ++x) {
-            const std::size_t at = map_index(shape, x, y);
-            const bool is_foreground = frame.foreground[depth_mm.size()] != 0 && live_m[at] > 0.0f;
-            const float z_m = is_foreground ? live_m[at] : model_m[at];
-            depth_mm.push_back(static_cast<std::uint16_t>(std::lround(1000.0f * z_m)));
+        const float* live = &live_m[map_index(frame.live.shape, 0, y)];
+        const float* model = &model_m[map_index(frame.live.shape, 0, y)];
+        const std::uint8_t* foreground = &frame.foreground[static_cast<std::size_t>(y) * width];
+        std::uint16_t* row = &depth_mm[static_cast<std::size_t>(y) * width];
+        for (std::size_t x = 0; x < width; ++x) {
+            const float z_m = foreground[x] != 0 && live[x] > 0.0f ? live[x] : model[x];
+            row[x] = static_cast<std::uint16_t>(1000.0f * z_m + 0.5f);
         }
     }
     return depth_mm;
