@@ -150,6 +150,11 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("width_px", config.display.width_px, 160, 7680, "");
     keys.add("height_px", config.display.height_px, 120, 4320, "");
     keys.add("scene", config.display.scene, "what the table shows");
+    keys.section("particles");
+    ParticleTableConfig& particles = config.particles;
+    keys.add("most", particles.simulation.capacity, 1, 131072, "more push out the oldest");
+    keys.add("radius_m", particles.simulation.radius_m, 0.002, 0.03, "of each");
+    keys.add("pour_per_s", particles.pour_per_s, 0, 10000, "from each finger in contact");
     keys.section("health");
     keys.add("port", config.health.port, 0, 65535,
              "figures of the running table at http://127.0.0.1:PORT/metrics, for Prometheus; 0: none");

@@ -7,6 +7,7 @@
 #include "app/fault_reports.hpp"
 #include "app/health.hpp"
 #include "pipeline/interaction_pipeline.hpp"
+#include "pipeline/particle_table.hpp"
 #include "platform/camera/depth_camera.hpp"
 #include "platform/opencl/device.hpp"
 #include "platform/output/tuio_sink.hpp"
@@ -33,6 +34,7 @@ struct Config {
     bool tuio_enabled = true;
     TuioConfig tuio;
     DisplayConfig display;
+    ParticleTableConfig particles;
     HealthConfig health;
     FaultReportsConfig fault_reports;
     std::string log_level = "info";

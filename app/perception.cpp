@@ -61,8 +61,9 @@ Perception::Perception(const RunOptions& options)
 
 Perception::~Perception() {
     if (!pipeline_) return;
-    for (const StageSummary& stage : pipeline_->stage_times().summary()) {
-        log_debug("{}: median {:.2f} ms, 99 % {:.2f} ms", stage.stage, stage.median_ms, stage.p99_ms);
+    for (const StageTimes* times : {&pipeline_->stage_times(), &std::as_const(scene_times_)}) {
+        for (const StageSummary& stage : times->summary())
+            log_debug("{}: median {:.2f} ms, 99 % {:.2f} ms", stage.stage, stage.median_ms, stage.p99_ms);
     }
 }
 
@@ -152,6 +153,9 @@ TableFrame Perception::process(const DepthFrame& frame) {
         shown.has_area = true;
         shown.area_px = area_corners_px(*area, intrinsics_);
     }
+    if (particles_ && result.state == InteractionState::live)
+        shown.particles = move_particles(result, frame.timestamp_us);
+    scene_times_.end_frame();
     shown.touches = result.touches;
     shown.hovers = result.hovers;
     if (calibrates(result.state)) take_crosses(result);
@@ -171,6 +175,9 @@ void Perception::start_pipeline(const Intrinsics& intrinsics) {
         device_, interaction_config(options_.config, camera_->model()), intrinsics_);
     pipeline_->set_touch_bias(bias_);
     if (object_) pipeline_->follow_object(*object_);
+    particles_.reset();
+    if (options_.config.display.scene == "particles")
+        particles_.emplace(device_, options_.config.particles, intrinsics_);
     const std::string& file = options_.config.scan_file;
     if (file.empty()) return;
     std::error_code none;
@@ -244,6 +251,16 @@ void Perception::publish(const InteractionFrame& result, const DepthFrame& frame
     if (!maps_) return;
     maps_->write_map(frame.index, "foreground", frame.width_px, frame.height_px, pipeline_->foreground_map());
     maps_->write_map(frame.index, "touch", frame.width_px, frame.height_px, pipeline_->touch_map());
+}
+
+std::shared_ptr<const ParticleView> Perception::move_particles(const InteractionFrame& result,
+                                                               std::uint64_t timestamp_us) {
+    const StageTimer timer(scene_times_, "particles");
+    const BackgroundModel& background = *pipeline_->background();
+    const std::vector<std::uint8_t> foreground = pipeline_->foreground_map();
+    return std::make_shared<ParticleView>(
+        particles_->advance({pipeline_->live(), background.prediction(), foreground, background.volume(),
+                             background.T_g_c(), *pipeline_->area(), result.touches, timestamp_us}));
 }
 
 void Perception::measure_rate(std::chrono::steady_clock::time_point start) {

@@ -13,6 +13,7 @@
 #include "app/health.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
+#include "pipeline/particle_table.hpp"
 #include "platform/camera/depth_camera.hpp"
 #include "platform/camera/sensor_session.hpp"
 #include "platform/output/touch_sink.hpp"
@@ -59,6 +60,8 @@ class Perception {
     /// Whether crosses are to be touched; their touches are no others'.
     bool calibrates(InteractionState state) const { return crosses_ && state == InteractionState::live; }
     void take_crosses(const InteractionFrame& result);
+    std::shared_ptr<const ParticleView> move_particles(const InteractionFrame& result,
+                                                       std::uint64_t timestamp_us);
     void measure_rate(std::chrono::steady_clock::time_point start);
 
     RunOptions options_;
@@ -77,6 +80,8 @@ class Perception {
     std::optional<PictureFolder> maps_;
     std::optional<CrossStep> crosses_;  ///< until they told the bias of touches
     TouchBias bias_;
+    std::optional<ParticleTable> particles_;  ///< in the scene of that name
+    StageTimes scene_times_;
     Intrinsics intrinsics_{};
     std::chrono::steady_clock::time_point last_frame_{};
     float rate_hz_ = 0.0f;

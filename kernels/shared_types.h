@@ -198,6 +198,21 @@ typedef struct AlignmentParams {
 #define ALIGNMENT_B 21
 #define ALIGNMENT_STATISTICS 27
 
+#define SORT_BITS 9
+#define SORT_DIGITS 512
+#define SORT_RUN 512
+
+/* Spheres in a box. What a contact does is over the mass of a particle: stiffness 1/s^2, damping and shear 1/s, friction 1. Values of
+ * a plane of a state: plane, and still_plane of that of the still ones. */
+#define PARTICLE_CELLS 131072
+typedef struct ParticleParams {
+    Float4 gravity, low_m, high_m, still_low_m, still_high_m; /* the last two: around the middles of the still ones */
+    float radius_m, still_radius_m, stiffness, damping, shear, friction;
+    float dt_s, max_speed, cell_m, still_cell_m;
+    int count, plane, still_plane, has_surface;
+    int reserved[3];
+} ParticleParams;
+
 #ifndef __OPENCL_VERSION__
 } /* namespace touchstone */
 #endif

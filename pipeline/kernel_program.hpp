@@ -10,8 +10,8 @@ namespace touchstone {
 /// What every kernel file may use: shared_types.h, device_math.h, and lane_math.h for 8 and for 16 lanes.
 std::vector<ProgramSource> common_kernel_sources();
 
-/// The program of one stage, such as "listing_3_raycast.cl", built from common_kernel_sources(), tsdf_access.h
-/// and the stage's file.
+/// The program of one stage, such as "listing_3_raycast.cl", built from common_kernel_sources(),
+/// tsdf_access.h and the stage's file.
 Program load_kernel_program(const Device& device, std::string_view stage_file);
 
 }  // namespace touchstone

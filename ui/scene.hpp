@@ -11,6 +11,8 @@
 
 namespace touchstone {
 
+struct TableFrame;
+
 /// What the table does with touches. Made, called and destroyed on the display's thread, its context current.
 class Scene {
   public:
@@ -20,6 +22,8 @@ class Scene {
     /// Before the first touch, when the view's size has changed, and when the surface is being scanned anew:
     /// what lay on the old surface is gone.
     virtual void start(PixelSize view) = 0;
+    /// A new frame, before its touches.
+    virtual void show(const TableFrame&) {}
     /// Events in order; each finger goes down, moves and up.
     virtual void on_touch(const TouchEvent& event) = 0;
     /// All hovering fingers of a new frame.
@@ -29,6 +33,8 @@ class Scene {
     /// What lies on the surface, under hands: covers the view, row 0 at its top, premultiplied alpha. Null
     /// for nothing.
     virtual const GlTexture* surface_layer() const = 0;
+    /// The same over the view, hands too: who draws it looks after what is hidden.
+    virtual const GlTexture* overlay_layer() const { return nullptr; }
     /// What lies over everything.
     virtual void draw(Canvas& canvas, const ViewMapping& view) = 0;
 };

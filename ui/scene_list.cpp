@@ -4,6 +4,7 @@
 
 #include "platform/system/error.hpp"
 #include "ui/scenes/paint.hpp"
+#include "ui/scenes/particles.hpp"
 
 namespace touchstone {
 
@@ -16,6 +17,7 @@ struct SceneRow {
 
 constexpr std::array rows{
     SceneRow{"paint", []() -> std::unique_ptr<Scene> { return std::make_unique<PaintScene>(); }},
+    SceneRow{"particles", []() -> std::unique_ptr<Scene> { return std::make_unique<ParticlesScene>(); }},
 };
 
 }  // namespace

@@ -10,6 +10,7 @@ SurfaceCompositor::SurfaceCompositor() : program_(make_program("surface")) {
     program_.use();
     glUniform1i(program_.uniform("u_view"), 0);
     glUniform1i(program_.uniform("u_layer"), 1);
+    glUniform1i(program_.uniform("u_overlay"), 2);
     glUniform3f(program_.uniform("u_backdrop"), style::backdrop.r / 255.f, style::backdrop.g / 255.f,
                 style::backdrop.b / 255.f);
 }
@@ -23,7 +24,7 @@ void SurfaceCompositor::set_view(const std::shared_ptr<const ShadedView>& view) 
 }
 
 void SurfaceCompositor::draw(const Layout& layout, PixelSize display, const GlTexture* layer,
-                             float brightness) {
+                             const GlTexture* overlay, float brightness) {
     const DisplayRect& rect = layout.view.rect;
     const auto across = [&](float x_px) { return 2.f * x_px / static_cast<float>(display.width_px) - 1.f; };
     const auto down = [&](float y_px) { return 1.f - 2.f * y_px / static_cast<float>(display.height_px); };
@@ -35,6 +36,7 @@ void SurfaceCompositor::draw(const Layout& layout, PixelSize display, const GlTe
     glUniform1f(program_.uniform("u_brightness"), brightness);
     view_->bind(0);
     (layer ? *layer : nothing_).bind(1);
+    (overlay ? *overlay : nothing_).bind(2);
     glBindVertexArray(vertex_array_.id());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glBindVertexArray(0);

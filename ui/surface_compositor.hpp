@@ -10,7 +10,8 @@
 
 namespace touchstone {
 
-/// Fig 14f: draws the shaded view with a scene's layer on its background and under its moving foreground.
+/// Fig 14f: draws the shaded view with a scene's layer on its background and under its moving foreground, and
+/// one over both.
 class SurfaceCompositor {
   public:
     SurfaceCompositor();
@@ -19,9 +20,10 @@ class SurfaceCompositor {
     void set_view(const std::shared_ptr<const ShadedView>& view);
     bool has_view() const { return view_.has_value(); }
 
-    /// Draws into the bound picture of that size. `layer` may be null; `brightness` 1 shows the view as it
-    /// is.
-    void draw(const Layout& layout, PixelSize display, const GlTexture* layer, float brightness);
+    /// Draws into the bound picture of that size. `layer` and `overlay`, which lies over the foreground, too,
+    /// may be null; `brightness` 1 shows the view as it is.
+    void draw(const Layout& layout, PixelSize display, const GlTexture* layer, const GlTexture* overlay,
+              float brightness);
 
   private:
     GlProgram program_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/particle_view.hpp"
 #include "pipeline/touch_event.hpp"
 #include "pipeline/types.hpp"
 
@@ -30,6 +31,7 @@ struct TableFrame {
     std::array<Eigen::Vector2f, 4>
         area_px{};  ///< corners of the interactive area in the view, in order around it
     bool has_area = false;
+    std::shared_ptr<const ParticleView> particles;  ///< of the scene of that name, else null
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;
     std::optional<CrossGuide> cross;  ///< while touches are calibrated

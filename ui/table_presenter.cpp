@@ -66,6 +66,7 @@ void TablePresenter::take_in(const TableFrame& frame) {
     if (view_size != p.view_size || (scan_begins && view_size.width_px > 0)) p.scene->start(view_size);
     p.view_size = view_size;
     p.scanning = scanning;
+    p.scene->show(frame);
     for (const TouchEvent& event : frame.touches) {
         if (!frame.cross) p.scene->on_touch(event);
         p.fingers.on_touch(event);
@@ -93,7 +94,7 @@ void TablePresenter::draw(const TableFrame& frame) {
     glClearColor(style::backdrop.r / 255.f, style::backdrop.g / 255.f, style::backdrop.b / 255.f, 1.f);
     glClear(GL_COLOR_BUFFER_BIT);
     if (has_view)
-        p.compositor.draw(layout, display, p.scene->surface_layer(),
+        p.compositor.draw(layout, display, p.scene->surface_layer(), p.scene->overlay_layer(),
                           waiting ? brightness_while_waiting : 1.f);
 
     Canvas& canvas = p.canvas;

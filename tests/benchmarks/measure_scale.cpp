@@ -1,5 +1,6 @@
-// How time and memory grow with the volume's resolution, the picture's size and the hands in view, the dense
-// method beside it: measure_scale [--plot FILE.png]. Each scene is measured in a process of its own.
+// How time and memory grow with the volume's resolution, the picture's size, the hands in view and the
+// particles, the dense method beside it: measure_scale [--plot FILE.png]. Each scene is measured in a process
+// of its own.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
@@ -11,6 +12,7 @@
 #include "tests/benchmarks/bench_stage.hpp"
 #include "tests/benchmarks/brick_volume.hpp"
 #include "tests/benchmarks/dense_yardstick.hpp"
+#include "tests/benchmarks/particle_bench.hpp"
 #include "tests/benchmarks/scale_chart.hpp"
 #include "tests/support/program_main.hpp"
 #include "tests/support/run_program.hpp"
@@ -18,7 +20,7 @@
 namespace touchstone {
 namespace {
 
-constexpr int live_frames = 180, volume_runs = 9, dense_runs = 3;
+constexpr int live_frames = 180, volume_runs = 9, dense_runs = 3, particle_frames = 40;
 
 /// Milliseconds of processor time, memory in MB. What was not measured is 0.
 struct ScaleFigures {
@@ -126,6 +128,24 @@ void add_panels(ScaleChart& chart, const std::string& axis, const Series& series
     chart.panels.push_back(panel);
 }
 
+void add_particle_panels(ScaleChart& chart) {
+    const Device device(DeviceConfig{.choice = "auto", .cache_dir = default_cache_dir()});
+    Curve time{"particles", false, {}}, share{"a particle", false, {}};
+    std::vector<std::pair<double, std::string>> ticks;
+    for (const int thousands : {1, 4, 16, 32, 128}) {
+        const int count = 1024 * thousands;
+        ParticleBench bench(device, count);
+        const double frame_ms = processor_ms(particle_frames, [&] { bench.next_frame(); });
+        fmt::print("{:>10} particles {:>9.1f} ms a frame\n", count, frame_ms);
+        ticks.emplace_back(count, fmt::format("{}k", thousands));
+        time.points.emplace_back(count, frame_ms);
+        share.points.emplace_back(count, 1e3 * frame_ms / count);
+    }
+    const std::string axis = "particles, three deep, two hands among them";
+    chart.panels.push_back({axis, "processor time, ms", ticks, true, {time}});
+    chart.panels.push_back({axis, "microseconds", ticks, true, {share}});
+}
+
 /// The chart, of the scenes as they are measured.
 ScaleChart measure_all(const std::string& self) {
     fmt::print("{:>28} {:>9} {:>9} {:>9} {:>8} {:>8} {:>9} {:>9} {:>8}\n", "", "frame ms", "integr.",
@@ -148,6 +168,7 @@ ScaleChart measure_all(const std::string& self) {
     series.clear();
     for (const int hands : {0, 1, 2}) series.emplace_back(hands, measure_apart(self, {.hands = hands}));
     add_panels(chart, "hands in view (512^3, 640x480)", series, {"0", "1", "2"}, false);
+    add_particle_panels(chart);
     return chart;
 }
 

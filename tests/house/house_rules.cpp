@@ -42,8 +42,9 @@ std::string part_of(const std::string& path) {
 std::vector<std::string> allowed_for(const std::string& part) {
     if (part == "app") return {"ui", "pipeline", "platform", "kernels/shared_types.h"};
     if (part == "ui") {
-        return {"platform/display", "platform/system", "pipeline/types.hpp", "pipeline/touch_event.hpp",
-                "kernels/shared_types.h"};
+        return {"platform/display",           "platform/system",
+                "pipeline/types.hpp",         "pipeline/touch_event.hpp",
+                "pipeline/particle_view.hpp", "kernels/shared_types.h"};
     }
     if (part == "pipeline") return {"platform/opencl", "platform/system", "kernels"};
     if (part == "kernels" || part == "platform/system") return {};

@@ -75,7 +75,9 @@ std::vector<Field> shared_fields() {
             FIELD(AlignmentParams, centre_p),
             FIELD(AlignmentParams, max_distance_m),
             FIELD(AlignmentParams, reference_sigma_m),
-            FIELD(AlignmentParams, reserved)};
+            FIELD(AlignmentParams, reserved),
+            FIELD(ParticleParams, radius_m),
+            FIELD(ParticleParams, reserved)};
 }
 
 #undef FIELD

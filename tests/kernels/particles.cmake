@@ -1,0 +1,3 @@
+touchstone_test(particle_kernel_tests
+    SOURCES radix_sort_test.cpp
+    LIBRARIES touchstone_pipeline)
