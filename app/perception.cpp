@@ -153,9 +153,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
         shown.has_area = true;
         shown.area_px = area_corners_px(*area, intrinsics_);
     }
-    if (particles_ && result.state == InteractionState::live)
-        shown.particles = move_particles(result, frame.timestamp_us);
-    scene_times_.end_frame();
+    if (particles_) shown.particles = move_particles(result, frame.timestamp_us);
     shown.touches = result.touches;
     shown.hovers = result.hovers;
     if (calibrates(result.state)) take_crosses(result);
@@ -255,12 +253,24 @@ void Perception::publish(const InteractionFrame& result, const DepthFrame& frame
 
 std::shared_ptr<const ParticleView> Perception::move_particles(const InteractionFrame& result,
                                                                std::uint64_t timestamp_us) {
-    const StageTimer timer(scene_times_, "particles");
-    const BackgroundModel& background = *pipeline_->background();
-    const std::vector<std::uint8_t> foreground = pipeline_->foreground_map();
-    return std::make_shared<ParticleView>(
-        particles_->advance({pipeline_->live(), background.prediction(), foreground, background.volume(),
-                             background.T_g_c(), *pipeline_->area(), result.touches, timestamp_us}));
+    if (result.state == InteractionState::scanning) particles_->clear();
+    if (result.state != InteractionState::live) {
+        particles_->lift_fingers();
+        return nullptr;
+    }
+    auto view = std::make_shared<ParticleView>();
+    {
+        const StageTimer timer(scene_times_, "particles");
+        const BackgroundModel& background = *pipeline_->background();
+        const std::vector<std::uint8_t> foreground = pipeline_->foreground_map();
+        std::span<const TouchEvent> touches = result.touches;
+        if (calibrates(result.state)) touches = {};
+        *view =
+            particles_->advance({pipeline_->live(), background.prediction(), foreground, background.volume(),
+                                 background.T_g_c(), *pipeline_->area(), touches, timestamp_us});
+    }
+    scene_times_.end_frame();
+    return view;
 }
 
 void Perception::measure_rate(std::chrono::steady_clock::time_point start) {

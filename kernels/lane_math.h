@@ -23,6 +23,12 @@ typedef struct POINTS {
     FLOATS x, y, z;
 } POINTS;
 
+/* From three planes, one after the other. */
+INLINE POINTS LANE_NAME(load_points)(__global const float* x, const int plane) {
+    const POINTS p = {LANE_NAME(vload)(0, x), LANE_NAME(vload)(0, x + plane), LANE_NAME(vload)(0, x + 2 * plane)};
+    return p;
+}
+
 INLINE FLOATS LANE_NAME(lanes)(void) { return (FLOATS)(EACH_LANE(NUMBER_OF_LANE)); }
 
 INLINE POINTS LANE_NAME(transform_points)(const Pose T, const POINTS p) {

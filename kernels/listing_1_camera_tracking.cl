@@ -158,14 +158,11 @@ __kernel void sum_alignment(__global const float* live_m, __global const float* 
         const float16 model = gather16(model_m, pixel);
         const int16 compared = model > 0.0f;
         if (!any(compared)) continue;
-        Points16 n, n_live;
+        Points16 n;
         n.x = gather16(model_normals_p, pixel);
         n.y = gather16(model_normals_p + model_plane, pixel);
         n.z = gather16(model_normals_p + 2 * model_plane, pixel);
-        n_live.x = vload16(0, live_normals_c + at);
-        n_live.y = vload16(0, live_normals_c + live_plane + at);
-        n_live.z = vload16(0, live_normals_c + 2 * live_plane + at);
-        n_live = rotate_vectors16(T_p_c, n_live);
+        const Points16 n_live = rotate_vectors16(T_p_c, load_points16(live_normals_c + at, live_plane));
         // The model's vertex: the pixel that was hit, at the model's depth.
         Points16 d;
         d.x = (convert_float16(seen.column) - model_k.cx_px) * inverse_fx * model - v.x;

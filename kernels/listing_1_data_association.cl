@@ -15,16 +15,8 @@ INLINE float8 grazing_noise8(const AssociationParams params, const float8 z, con
 
 INLINE Points8 load_or_gather_points8(__global const float* planes, const int at, const int plane, const int8 pixel,
                                       const int aligned) {
-    Points8 p;
-    if (aligned) {
-        p.x = vload8(0, planes + at);
-        p.y = vload8(0, planes + plane + at);
-        p.z = vload8(0, planes + 2 * plane + at);
-    } else {
-        p.x = gather8(planes, pixel);
-        p.y = gather8(planes + plane, pixel);
-        p.z = gather8(planes + 2 * plane, pixel);
-    }
+    if (aligned) return load_points8(planes + at, plane);
+    const Points8 p = {gather8(planes, pixel), gather8(planes + plane, pixel), gather8(planes + 2 * plane, pixel)};
     return p;
 }
 
@@ -71,7 +63,7 @@ __kernel void associate(__global const float* live_m, __global const float* live
     int8 code = select((int8)(ASSOCIATION_NO_MODEL), (int8)(ASSOCIATION_INLIER), known);  // L1:9
     code = select(code, (int8)(ASSOCIATION_NO_LIVE_DEPTH), ~measured);
     if (params.min_normal_cos > -1.0f) {
-        Points8 n_live = load_or_gather_points8(live_normals_c, at, plane, pixel, 1);
+        Points8 n_live = load_points8(live_normals_c + at, plane);
         if (!aligned) n_live = rotate_vectors8(T_p_c, n_live);
         // "Within a threshold" of the angle: no abs(), which would let a back match a front.
         const int8 differs = has_normal & (dot8(n_live, n_live) > 0.5f) & (dot8(n, n_live) < params.min_normal_cos);

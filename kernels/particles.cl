@@ -43,11 +43,6 @@ INLINE Sphere load_sphere(__global const float* state, const int plane, const in
     return s;
 }
 
-INLINE Points8 load_planes8(__global const float* planes, const int plane) {
-    const Points8 p = {vload8(0, planes), vload8(0, planes + plane), vload8(0, planes + 2 * plane)};
-    return p;
-}
-
 /* Accelerations by a contact at depth_m along the unit vector n, which points to the particle; v: its velocity against the other's.
  * Spring and dashpot push and never pull; shear slows what slides, by Coulomb's share of the push at most. */
 INLINE Points8 contact8(const ParticleParams params, const float8 depth_m, const Points8 n, const Points8 v, const int8 touching) {
@@ -64,14 +59,14 @@ INLINE void add_contacts8(const ParticleParams params, __global const float* oth
                           const Sphere self, const int self_index, const float reach_m, Points8* sum) {
     const int8 lane = convert_int8(lanes8());
     for (int j = first; j < end; j += 8) {
-        const Points8 p = load_planes8(others + j, plane);
+        const Points8 p = load_points8(others + j, plane);
         const Points8 d = {self.position_m.x - p.x, self.position_m.y - p.y, self.position_m.z - p.z};
         const float8 square = dot8(d, d);
         const int8 touching = (lane < end - j) & (lane != self_index - j) & (square < reach_m * reach_m) & (square > 0.0f);
         if (!any(touching)) continue;
         const float8 inverse = rsqrt(fmax(square, 1e-12f));
         const Points8 n = {d.x * inverse, d.y * inverse, d.z * inverse};
-        const Points8 w = load_planes8(others + 3 * plane + j, plane);
+        const Points8 w = load_points8(others + 3 * plane + j, plane);
         const Points8 v = {self.velocity.x - w.x, self.velocity.y - w.y, self.velocity.z - w.z};
         const Points8 a = contact8(params, reach_m - square * inverse, n, v, touching);
         sum->x += a.x;
@@ -161,8 +156,8 @@ INLINE float8 walls8(const ParticleParams params, const float8 p, const float8 v
 __kernel void move(__global float* state, __global const float* acceleration, __global const int* table, __global const int* pool,
                    const VolumeParams volume, const ParticleParams params) {
     const int at = (int)get_global_id(0) * 8;
-    Points8 p = load_planes8(state + at, params.plane), v = load_planes8(state + 3 * params.plane + at, params.plane);
-    Points8 a = load_planes8(acceleration + at, params.plane);
+    Points8 p = load_points8(state + at, params.plane), v = load_points8(state + 3 * params.plane + at, params.plane);
+    Points8 a = load_points8(acceleration + at, params.plane);
     SurfaceContact8 c = {{(float8)(0.0f), (float8)(0.0f), (float8)(0.0f)}, (float8)(0.0f)};
     if (params.has_surface) {
         c = surface_contact8(table, pool, volume, params, p, v);

@@ -1,10 +1,6 @@
 /* Listing 3 from the first hit on, for a view from anywhere: lighting, what a mesh hides, shadows and a mirror sphere by secondary
  * rays. Rays are in the global frame, in voxel units; eight pixels a work-item. */
 
-typedef struct Colour8 {
-    float8 r, g, b;
-} Colour8;
-
 typedef struct Ray8 {
     Points8 origin, direction; /* length 1 */
     float8 enter, leave;       /* of the box that holds all surfaces: enter >= 0, leave < enter where it is missed */
@@ -27,19 +23,6 @@ INLINE Points8 choose_points8(const Points8 otherwise, const Points8 where_set, 
     const Points8 r = {select(otherwise.x, where_set.x, mask), select(otherwise.y, where_set.y, mask),
                        select(otherwise.z, where_set.z, mask)};
     return r;
-}
-
-INLINE Colour8 choose_colour8(const Colour8 otherwise, const Colour8 where_set, const int8 mask) {
-    const Colour8 r = {select(otherwise.r, where_set.r, mask), select(otherwise.g, where_set.g, mask),
-                       select(otherwise.b, where_set.b, mask)};
-    return r;
-}
-
-INLINE Colour8 colour_of8(const uint8 rgba) {
-    const float scale = 1.0f / 255.0f;
-    const Colour8 c = {convert_float8(rgba & (uint8)(0xff)) * scale, convert_float8((rgba >> (uint8)(8)) & (uint8)(0xff)) * scale,
-                       convert_float8((rgba >> (uint8)(16)) & (uint8)(0xff)) * scale};
-    return c;
 }
 
 INLINE void clip_axis8(const float8 origin, const float8 direction, const float low, const float high, float8* enter,
@@ -219,7 +202,7 @@ INLINE void follow_mirror8(__global const int* table, __global const int* pool, 
 /* The volume's colours around p, those that there are weighed by nearness; else the one for all surfaces. */
 INLINE Colour8 surface_colour8(__global const int* color_table, __global const uint* colors, const VolumeParams volume,
                                const ViewLightingParams params, const Points8 p, const int8 wanted) {
-    const Colour8 fixed = {(float8)(params.surface.x), (float8)(params.surface.y), (float8)(params.surface.z)};
+    const Colour8 fixed = one_colour8(params.surface);
     if (!params.has_colors || !any(wanted)) return fixed;
     const float last = (float)volume.size_vox - 1.5f;
     const float8 px = fmax(fmin(p.x - 0.5f, last), 0.0f), py = fmax(fmin(p.y - 0.5f, last), 0.0f);
@@ -267,8 +250,6 @@ INLINE Colour8 sky8(const ViewLightingParams params, const Points8 direction) {
     return c;
 }
 
-INLINE uint8 to_byte8(const float8 value) { return convert_uint8_rte(clamp(value, 0.0f, 1.0f) * 255.0f); }
-
 __kernel void light_view(__global const int* table, __global const int* pool, __global const int* color_table,
                          __global const uint* colors, __global const float* surface_m, __global const float* surface_normals_c,
                          __global const float* mesh_m, __global const float* mesh_normals_c, __global const uint* mesh_rgba,
@@ -285,9 +266,7 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     seen.depth_m = vload8(0, surface_m + at);
     seen.hit = seen.depth_m > 0.0f;
     seen.mesh = seen.mirror = (int8)(0);
-    seen.normal.x = vload8(0, surface_normals_c + at);
-    seen.normal.y = vload8(0, surface_normals_c + plane + at);
-    seen.normal.z = vload8(0, surface_normals_c + 2 * plane + at);
+    seen.normal = load_points8(surface_normals_c + at, plane);
     seen.colour.r = seen.colour.g = seen.colour.b = (float8)(0.0f);
     if (params.mesh_step) end_at_mesh8(mesh_m, mesh_normals_c, mesh_rgba, mesh_shape, params.mesh_step, x, y, &seen);
     seen.normal = rotate_vectors8(T_g_c, seen.normal);
@@ -306,11 +285,10 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     shine *= shine, shine *= shine, shine *= shine, shine *= shine;
     shine *= params.surface.w * share;
     const Colour8 lit = {base.r * level + shine, base.g * level + shine, base.b * level + shine};
-    const Colour8 unknown = {(float8)(params.unknown.x), (float8)(params.unknown.y), (float8)(params.unknown.z)};
-    const Colour8 beyond = choose_colour8(unknown, sky8(params, seen.direction), seen.mirror);
+    const Colour8 beyond = choose_colour8(one_colour8(params.unknown), sky8(params, seen.direction), seen.mirror);
     const Colour8 shown = choose_colour8(beyond, lit, seen.hit);
     const float8 kept = select((float8)(1.0f), (float8)(params.mirror), seen.mirror);
-    vstore8(to_byte8(shown.r * kept) | (to_byte8(shown.g * kept) << (uint8)(8)) | (to_byte8(shown.b * kept) << (uint8)(16)) |
-                (uint8)(0xff000000u), 0, rgba + at);
+    const Colour8 dimmed = {shown.r * kept, shown.g * kept, shown.b * kept};
+    vstore8(pack_rgba8(dimmed, (uint8)(255u)), 0, rgba + at);
     vstore8(seen.depth_m, 0, depth_m + at);
 }

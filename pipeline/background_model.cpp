@@ -23,9 +23,9 @@ std::array<std::vector<float>, 3> seen_points_c_m(const DepthView& view, float m
             const auto pixel = static_cast<std::size_t>(y * k.width_px + x);
             const float z = static_cast<float>(view.depth_mm[pixel]) * 0.001f;
             if (z <= 0.0f || z > max_depth_m) continue;
-            points[0].push_back((static_cast<float>(x) - k.cx_px) / k.fx_px * z);
-            points[1].push_back((static_cast<float>(y) - k.cy_px) / k.fy_px * z);
-            points[2].push_back(z);
+            const Eigen::Vector3f point_c_m = back_project(k, x, y, z);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                points[axis].push_back(point_c_m[static_cast<Eigen::Index>(axis)]);
         }
     }
     return points;

@@ -48,9 +48,7 @@ ViewExtent measure_extent(const Buffer<float>& depth_m, const Intrinsics& k, con
         for (int x = region.x0; x < std::min(region.x1, k.width_px); ++x) {
             const float z = map[map_index(shape, x, y)];
             if (z <= 0.0f) continue;
-            const Eigen::Vector3d v = Eigen::Vector3f((static_cast<float>(x) - k.cx_px) / k.fx_px * z,
-                                                      (static_cast<float>(y) - k.cy_px) / k.fy_px * z, z)
-                                          .cast<double>();
+            const Eigen::Vector3d v = back_project(k, x, y, z).cast<double>();
             sum += v;
             squares += v.squaredNorm();
             count += 1.0;

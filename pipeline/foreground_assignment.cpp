@@ -38,8 +38,7 @@ ComponentPoints sample_component(const Foreground& foreground, const Buffer<floa
             const std::size_t pixel = map_index(foreground.shape, x, y);
             const float z = depths[pixel];
             if (labels[pixel] != component.label || z <= 0.0f) continue;
-            points.at_c_m.emplace_back((static_cast<float>(x) - k.cx_px) / k.fx_px * z,
-                                       (static_cast<float>(y) - k.cy_px) / k.fy_px * z, z);
+            points.at_c_m.push_back(back_project(k, x, y, z));
             points.map_index.push_back(pixel);
             points.centre_c_m += points.at_c_m.back();
         }

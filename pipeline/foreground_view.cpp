@@ -28,10 +28,6 @@ std::vector<std::uint8_t> blocks_of(const MaskedDepth& picture, int width, int h
     return blocks;
 }
 
-Eigen::Vector3f point_c_m(const Intrinsics& k, float x, float y, float z_m) {
-    return {(x - k.cx_px) / k.fx_px * z_m, (y - k.cy_px) / k.fy_px * z_m, z_m};
-}
-
 /// Median depth of the foreground in a block; 0 where there is none.
 float depth_of_block_m(const MaskedDepth& picture, const GridPlace& block) {
     std::vector<float> depths_m;
@@ -102,7 +98,7 @@ std::optional<ForegroundView> view_foreground(const MaskedDepth& picture, float 
     if (z_m <= 0.0f) return std::nullopt;
     const auto middle_px = [](int b) { return (static_cast<float>(b) + 0.5f) * block_px; };
     RigidTransform T_c_v = RigidTransform::Identity();
-    T_c_v.translation() = point_c_m(k, middle_px(block.x), middle_px(block.y), z_m);
+    T_c_v.translation() = back_project(k, middle_px(block.x), middle_px(block.y), z_m);
     T_c_v.linear() =
         Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(), T_c_v.translation()).toRotationMatrix();
     Cells cells(T_c_v, cell_m);
@@ -110,9 +106,7 @@ std::optional<ForegroundView> view_foreground(const MaskedDepth& picture, float 
         for (int x = 0; x < k.width_px; ++x) {
             const std::size_t at = index(picture, x, y);
             const float z = picture.depth_m[at];
-            if (z > 0.0f)
-                cells.add(point_c_m(k, static_cast<float>(x), static_cast<float>(y), z),
-                          picture.mask[at] != 0);
+            if (z > 0.0f) cells.add(back_project(k, x, y, z), picture.mask[at] != 0);
         }
     }
     return cells.view();

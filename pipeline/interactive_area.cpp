@@ -47,8 +47,7 @@ std::vector<Eigen::Vector3f> surface_points_c_m(const SurfacePrediction& backgro
         for (int x = 0; x < k.width_px; x += step_px) {
             const float z = depth_m[map_index(background.shape, x, y)];
             if (z <= 0.0f) continue;
-            points.emplace_back((static_cast<float>(x) - k.cx_px) / k.fx_px * z,
-                                (static_cast<float>(y) - k.cy_px) / k.fy_px * z, z);
+            points.push_back(back_project(k, x, y, z));
         }
     }
     return points;

@@ -21,7 +21,8 @@ ProgramSource embedded(std::string_view name) {
 std::vector<ProgramSource> common_kernel_sources() {
     constexpr ProgramSource eight{"", "#define LANES 8\n"}, sixteen{"", "#define LANES 16\n"};
     const ProgramSource lane_math = embedded("lane_math.h");
-    return {embedded("shared_types.h"), embedded("device_math.h"), eight, lane_math, sixteen, lane_math};
+    return {embedded("shared_types.h"), embedded("device_math.h"), eight, lane_math, sixteen, lane_math,
+            embedded("colour_math.h")};
 }
 
 Program load_kernel_program(const Device& device, std::string_view stage_file) {

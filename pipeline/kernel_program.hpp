@@ -7,7 +7,8 @@
 
 namespace touchstone {
 
-/// What every kernel file may use: shared_types.h, device_math.h, and lane_math.h for 8 and for 16 lanes.
+/// What every kernel file may use: shared_types.h, device_math.h, lane_math.h for 8 and for 16 lanes,
+/// colour_math.h.
 std::vector<ProgramSource> common_kernel_sources();
 
 /// The program of one stage, such as "listing_3_raycast.cl", built from common_kernel_sources(),

@@ -13,11 +13,6 @@ constexpr float gravity = 9.81f;
 constexpr float longest_frame_s = 0.1f;
 constexpr int frames_per_forgetting = 15;
 
-Eigen::Vector3f back_projected(const Intrinsics& k, int x, int y, float z_m) {
-    return {(static_cast<float>(x) - k.cx_px) / k.fx_px * z_m,
-            (static_cast<float>(y) - k.cy_px) / k.fy_px * z_m, z_m};
-}
-
 std::vector<std::uint16_t> nearest_real_mm(const ParticleTableFrame& frame, const Intrinsics& k) {
     const auto live_m = frame.live.depth_m.map_read();
     const auto model_m = frame.background.depth_m.map_read();
@@ -52,7 +47,7 @@ std::vector<Particle> foreground_spheres(const ParticleTableFrame& frame, const 
             const auto pixel = static_cast<std::size_t>(y * intrinsics.width_px + x);
             const float z_m = live_m[map_index(frame.live.shape, x, y)];
             if (frame.foreground[pixel] == 0 || z_m <= 0.0f) continue;
-            const Eigen::Vector3f point_c_m = back_projected(intrinsics, x, y, z_m);
+            const Eigen::Vector3f point_c_m = back_project(intrinsics, x, y, z_m);
             spheres.push_back({frame.T_g_c * (point_c_m + radius_m * point_c_m.normalized())});
         }
     }

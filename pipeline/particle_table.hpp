@@ -44,6 +44,10 @@ class ParticleTable {
 
     /// Moves time on to the frame's.
     ParticleView advance(const ParticleTableFrame& frame);
+    /// What they lay on is gone: it is scanned anew.
+    void clear() { simulation_.clear(); }
+    /// Nobody can touch: those that poured do not any more.
+    void lift_fingers() { fingers_.clear(); }
     int count() const { return simulation_.count(); }
 
   private:

@@ -66,8 +66,7 @@ std::vector<Eigen::Vector3f> middle_points_c_m(const DepthView& view, float shar
             const float z =
                 0.001f * static_cast<float>(view.depth_mm[static_cast<std::size_t>(y * k.width_px + x)]);
             if (z <= 0.0f) continue;
-            points.emplace_back((static_cast<float>(x) - k.cx_px) / k.fx_px * z,
-                                (static_cast<float>(y) - k.cy_px) / k.fy_px * z, z);
+            points.push_back(back_project(k, x, y, z));
         }
     }
     return points;

@@ -84,7 +84,7 @@ class Reconstruction {
     void relocalise(const DepthView& view, ReconstructionFrame& frame);
     void mark_outside(const RigidTransform& T_g_c);
     void fuse(std::span<const std::uint8_t> color_rgb);
-    RigidTransform T_p_l() const;
+    RigidTransform T_p_l() const;  // of the last frame that was tracked, seen from the prediction
     bool needs_prediction(const ReconstructionFrame& frame);
     void predict(bool has_intensity);
 

@@ -27,13 +27,17 @@ Rendering::Rendering(const Device& device, const RenderingConfig& config, const 
 ShadedView Rendering::render(const SurfacePrediction& background, const ForegroundLayer& foreground) {
     show_.launch(eight_pixels_each(shape_), background.depth_m, background.normals_c, foreground.normals_c,
                  foreground.mask, rgba_, shape_, intrinsics_, config_.shading);
-    ShadedView view{shape_.width_px, shape_.height_px, {}};
-    const std::size_t row_bytes = 4 * static_cast<std::size_t>(shape_.width_px);
-    view.rgba.resize(row_bytes * static_cast<std::size_t>(shape_.height_px));
-    const auto rgba = rgba_.map_read();
-    for (int y = 0; y < shape_.height_px; ++y) {
+    return read_view(rgba_, shape_);
+}
+
+ShadedView read_view(const Buffer<std::uint32_t>& rgba, const MapShape& shape) {
+    ShadedView view{shape.width_px, shape.height_px, {}};
+    const std::size_t row_bytes = 4 * static_cast<std::size_t>(shape.width_px);
+    view.rgba.resize(row_bytes * static_cast<std::size_t>(shape.height_px));
+    const auto padded = rgba.map_read();
+    for (int y = 0; y < shape.height_px; ++y) {
         std::memcpy(view.rgba.data() + static_cast<std::size_t>(y) * row_bytes,
-                    &rgba[map_index(shape_, 0, y)], row_bytes);
+                    &padded[map_index(shape, 0, y)], row_bytes);
     }
     return view;
 }

@@ -25,6 +25,9 @@ struct ForegroundLayer {
     const Buffer<std::uint8_t>& mask;  ///< not 0 where it is in front of the background
 };
 
+/// A map of pixels, red in the lowest byte, as a picture without padding. Waits for the device.
+ShadedView read_view(const Buffer<std::uint32_t>& rgba, const MapShape& shape);
+
 /// Fig 12c, Fig 14f, Fig 15: the camera's view, background and foreground shaded apart, or the normals of
 /// both.
 class Rendering {

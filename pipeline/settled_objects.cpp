@@ -13,11 +13,6 @@ namespace {
 constexpr int cover_px = 6;
 constexpr int most_weight = 60;
 
-Eigen::Vector3f point_c_m(const Intrinsics& k, int x, int y, float z_m) {
-    return {(static_cast<float>(x) - k.cx_px) / k.fx_px * z_m,
-            (static_cast<float>(y) - k.cy_px) / k.fy_px * z_m, z_m};
-}
-
 /// A cube of whole bricks of the grid around the patch, with what lies a truncation behind it.
 std::pair<VolumeConfig, Eigen::Vector3f> cube_around(const DepthPatch& patch, const VolumeConfig& grid,
                                                      const Intrinsics& k, const RigidTransform& T_g_c) {
@@ -25,7 +20,7 @@ std::pair<VolumeConfig, Eigen::Vector3f> cube_around(const DepthPatch& patch, co
     Eigen::AlignedBox3f box;
     for (int y = patch.box.y0; y < patch.box.y1; ++y) {
         for (int x = patch.box.x0; x < patch.box.x1; ++x)
-            if (const float z = patch.at(x, y); z > 0.0f) box.extend(T_g_c * point_c_m(k, x, y, z));
+            if (const float z = patch.at(x, y); z > 0.0f) box.extend(T_g_c * back_project(k, x, y, z));
     }
     const float brick_m = params.voxel_m * BRICK_VOX;
     const Eigen::Vector3f margin = Eigen::Vector3f::Constant(params.max_truncation_m + params.voxel_m);
@@ -53,14 +48,14 @@ std::vector<Eigen::Vector3f> patch_normals_c(const DepthPatch& patch, const Intr
         for (int x = patch.box.x0; x < patch.box.x1; ++x) {
             const float z = patch.at(x, y);
             if (z <= 0.0f) continue;
-            const Eigen::Vector3f here = point_c_m(k, x, y, z);
+            const Eigen::Vector3f here = back_project(k, x, y, z);
             const auto slope = [&](int dx, int dy) -> Eigen::Vector3f {
                 Eigen::Vector3f sum = Eigen::Vector3f::Zero();
                 for (const int sign : {-1, 1}) {
                     const float next = patch.at(x + sign * dx, y + sign * dy);
                     if (next <= 0.0f || std::abs(next - z) > 0.03f * z) continue;
-                    sum +=
-                        static_cast<float>(sign) * (point_c_m(k, x + sign * dx, y + sign * dy, next) - here);
+                    sum += static_cast<float>(sign) *
+                           (back_project(k, x + sign * dx, y + sign * dy, next) - here);
                 }
                 return sum;
             };

@@ -20,7 +20,8 @@ class StepFilter {
   public:
     explicit StepFilter(const StepFilterConfig& config) : config_(config) {}
 
-    /// What is believed of the step T_p_c from the prediction's pose, which must be the last one believed.
+    /// What is believed of the step T_p_c from the prediction's pose, which must be one that was believed:
+    /// the last, or that of some frames before.
     RigidTransform believed(const RigidTransform& T_p_c, const StepEvidence& evidence);
     /// After a jump of the pose.
     void restart();

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "pipeline/map_shape.hpp"
+#include "pipeline/types.hpp"
 
 namespace touchstone {
 
@@ -33,10 +34,6 @@ inline std::size_t index_of(const TablePicture& picture, int x, int y) {
 }
 inline bool in_picture(const TablePicture& picture, int x, int y) {
     return x >= 0 && y >= 0 && x < picture.shape.width_px && y < picture.shape.height_px;
-}
-inline Eigen::Vector3f back_project(const Intrinsics& intrinsics, int x, int y, float depth_m) {
-    return depth_m * Eigen::Vector3f((static_cast<float>(x) - intrinsics.cx_px) / intrinsics.fx_px,
-                                     (static_cast<float>(y) - intrinsics.cy_px) / intrinsics.fy_px, 1.0f);
 }
 /// Place in the picture of a point in front of the camera.
 Eigen::Vector2f project(const Intrinsics& intrinsics, const Eigen::Vector3f& point_c_m);

@@ -15,6 +15,14 @@ using RigidTransform = Eigen::Isometry3f;
 /// The same as rows of a matrix, as kernels take it.
 Pose to_pose(const RigidTransform& T);
 
+/// The camera point that is seen at a place of the picture: D(u) K^-1 [u, 1].
+inline Eigen::Vector3f back_project(const Intrinsics& k, float x_px, float y_px, float depth_m) {
+    return {(x_px - k.cx_px) / k.fx_px * depth_m, (y_px - k.cy_px) / k.fy_px * depth_m, depth_m};
+}
+inline Eigen::Vector3f back_project(const Intrinsics& k, int x_px, int y_px, float depth_m) {
+    return back_project(k, static_cast<float>(x_px), static_cast<float>(y_px), depth_m);
+}
+
 /// One depth picture, borrowed for the call. Row-major, millimetres, 0 = invalid.
 struct DepthView {
     std::span<const std::uint16_t> depth_mm;

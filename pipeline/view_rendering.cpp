@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "pipeline/kernel_program.hpp"
+#include "pipeline/rendering.hpp"
 
 namespace touchstone {
 
@@ -70,13 +70,13 @@ ShadedView ViewRendering::render(const TsdfVolume& volume, const RigidTransform&
     launch(volume, T_g_c, half_->surface, scene, half_->intrinsics, 2, half_->picture);
     spread_view_.launch(sixteen_pixels_each(picture_.shape), half_->picture.rgba, half_->picture.depth_m,
                         picture_.rgba, picture_.depth_m, half_->picture.shape, picture_.shape);
-    return read_picture();
+    return read_view(picture_.rgba, picture_.shape);
 }
 
 ShadedView ViewRendering::light(const TsdfVolume& volume, const RigidTransform& T_g_c,
                                 const SurfacePrediction& surface, const ViewScene& scene) {
     launch(volume, T_g_c, surface, scene, intrinsics_, 1, picture_);
-    return read_picture();
+    return read_view(picture_.rgba, picture_.shape);
 }
 
 void ViewRendering::launch(const TsdfVolume& volume, const RigidTransform& T_g_c,
@@ -107,19 +107,6 @@ bool ViewRendering::update_color_table(const TsdfVolume& volume) {
     for (const int brick : volume.colors()->bricks())
         table[static_cast<std::size_t>(brick)] = volume.colors()->slot(brick);
     return true;
-}
-
-ShadedView ViewRendering::read_picture() const {
-    const MapShape& shape = picture_.shape;
-    ShadedView view{shape.width_px, shape.height_px, {}};
-    const std::size_t row_bytes = 4 * static_cast<std::size_t>(shape.width_px);
-    view.rgba.resize(row_bytes * static_cast<std::size_t>(shape.height_px));
-    const auto rgba = picture_.rgba.map_read();
-    for (int y = 0; y < shape.height_px; ++y) {
-        std::memcpy(view.rgba.data() + static_cast<std::size_t>(y) * row_bytes, &rgba[map_index(shape, 0, y)],
-                    row_bytes);
-    }
-    return view;
 }
 
 }  // namespace touchstone

@@ -17,10 +17,9 @@ namespace touchstone {
 struct ViewLook {
     Eigen::Vector3f surface{0.62f, 0.66f, 0.72f};     ///< where the volume keeps no colour
     Eigen::Vector3f unknown{0.055f, 0.063f, 0.078f};  ///< where nothing is to be seen
-    Eigen::Vector3f sky_low{0.20f, 0.22f,
-                            0.26f};  ///< what mirrored rays see that meet nothing, downwards and
-    Eigen::Vector3f sky_high{0.55f, 0.63f, 0.75f};  ///< upwards
-    Eigen::Vector3f up_g{0.0f, -1.0f, 0.0f};        ///< length 1
+    /// What mirrored rays see that meet nothing, from straight down to straight up.
+    Eigen::Vector3f sky_low{0.20f, 0.22f, 0.26f}, sky_high{0.55f, 0.63f, 0.75f};
+    Eigen::Vector3f up_g{0.0f, -1.0f, 0.0f};  ///< length 1
     float ambient = 0.30f;
     float diffuse = 0.70f;
     float specular = 0.20f;           ///< times cos^16 of the angle between mirrored light and view
@@ -55,8 +54,7 @@ enum class ViewQuality {
 
 /// Listing 3 in full, Fig 12: a volume from any 6DOF view, lit by Phong's model, with shadows, a mirror
 /// sphere and a mesh that hide and are hidden as their depths say. The mesh takes shadows but casts none, and
-/// is not seen in the mirror. Surfaces seen
-/// from behind are unknown.
+/// is not seen in the mirror. Surfaces seen from behind are unknown.
 class ViewRendering {
   public:
     /// `intrinsics`: of the view.
@@ -92,7 +90,6 @@ class ViewRendering {
     void launch(const TsdfVolume& volume, const RigidTransform& T_g_c, const SurfacePrediction& surface,
                 const ViewScene& scene, const Intrinsics& intrinsics, int mesh_step, Picture& picture);
     bool update_color_table(const TsdfVolume& volume);
-    ShadedView read_picture() const;
 
     const Device* device_;
     ViewLook look_;

@@ -10,6 +10,7 @@ namespace {
 constexpr int layer_px_per_view_px = 2;
 constexpr float shadow_radii = 1.7f;  // of a sphere: soft
 constexpr float darkest = 0.5f;
+constexpr int ids_per_color = 7;  // poured together, in one colour
 
 float to_layer(float view_px) { return (view_px + 0.5f) * layer_px_per_view_px; }
 
@@ -32,15 +33,6 @@ ParticleLayer::ParticleLayer(PixelSize view)
     glUniform1f(program_.uniform("u_real_px_per_px"), 1.0f / layer_px_per_view_px);
     glUniform1i(program_.uniform("u_real"), 0);
     glUniform3f(program_.uniform("u_light"), -0.45f, -0.60f, 0.66f);
-    glBindVertexArray(vertex_array_.id());
-    glVertexAttribFormat(0, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, disc));
-    glVertexAttribFormat(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Instance, color));
-    for (const GLuint attribute : {0U, 1U}) {
-        glVertexAttribBinding(attribute, 0);
-        glEnableVertexAttribArray(attribute);
-    }
-    glVertexBindingDivisor(0, 1);
-    glBindVertexArray(0);
     draw(nullptr);
 }
 
@@ -64,7 +56,7 @@ void ParticleLayer::list(const ParticleView& particles) {
     for (const ParticleSphere& sphere : particles.spheres) {
         if (sphere.centre_c_m.z() <= 0.0f) continue;
         instances_.push_back({disc_of(particles.intrinsics, sphere.centre_c_m, particles.radius_m),
-                              style::finger_color(sphere.id / 7).packed()});
+                              style::finger_color(sphere.id / ids_per_color).packed()});
     }
 }
 
@@ -78,16 +70,7 @@ void ParticleLayer::draw(const ParticleView* particles) {
     program_.use();
     glUniform1f(program_.uniform("u_radius_m"), particles->radius_m);
     real_.bind(0);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glBindVertexArray(vertex_array_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, instance_buffer_.id());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances_.size() * sizeof(Instance)),
-                 instances_.data(), GL_STREAM_DRAW);
-    glBindVertexBuffer(0, instance_buffer_.id(), 0, sizeof(Instance));
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(instances_.size()));
-    glBindVertexArray(0);
-    glDisable(GL_BLEND);
+    quads_.draw(instances_);
 }
 
 }  // namespace touchstone

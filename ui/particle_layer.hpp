@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "pipeline/particle_view.hpp"
 #include "platform/display/gl_framebuffer.hpp"
 #include "platform/display/gl_program.hpp"
+#include "ui/instanced_quads.hpp"
 
 namespace touchstone {
 
@@ -22,20 +22,14 @@ class ParticleLayer {
     const GlTexture& picture() const { return picture_.color(); }
 
   private:
-    struct Instance {
-        std::array<float, 4> disc;
-        std::uint32_t color;
-    };
-
     void upload_depth(const ParticleView& particles);
     void list(const ParticleView& particles);
 
     GlProgram program_;
     GlFramebuffer picture_;
     GlTexture real_;
-    GlVertexArrayHandle vertex_array_{new_gl_vertex_array()};
-    GlBufferHandle instance_buffer_{new_gl_buffer()};
-    std::vector<Instance> instances_;
+    InstancedQuads quads_;
+    std::vector<QuadInstance> instances_;
     std::vector<std::uint8_t> texels_;
 };
 

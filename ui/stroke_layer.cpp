@@ -19,16 +19,6 @@ StrokeLayer::StrokeLayer(PixelSize view)
     program_.use();
     glUniform2f(program_.uniform("u_layer_size_px"), width, static_cast<float>(picture_.size_px().height_px));
     glUniform1f(program_.uniform("u_radius_px"), 0.5f * style::stroke_width_of_view * width);
-
-    glBindVertexArray(vertex_array_.id());
-    glVertexAttribFormat(0, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, ends_px));
-    glVertexAttribFormat(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Instance, color));
-    for (const GLuint attribute : {0U, 1U}) {
-        glVertexAttribBinding(attribute, 0);
-        glEnableVertexAttribArray(attribute);
-    }
-    glVertexBindingDivisor(0, 1);
-    glBindVertexArray(0);
     clear();
 }
 
@@ -50,16 +40,7 @@ void StrokeLayer::flush() {
     if (waiting_.empty()) return;
     picture_.bind();
     program_.use();
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glBindVertexArray(vertex_array_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, instance_buffer_.id());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(waiting_.size() * sizeof(Instance)),
-                 waiting_.data(), GL_STREAM_DRAW);
-    glBindVertexBuffer(0, instance_buffer_.id(), 0, sizeof(Instance));
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(waiting_.size()));
-    glBindVertexArray(0);
-    glDisable(GL_BLEND);
+    quads_.draw(waiting_);
     waiting_.clear();
 }
 

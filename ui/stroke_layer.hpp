@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "platform/display/gl_framebuffer.hpp"
 #include "platform/display/gl_program.hpp"
+#include "ui/instanced_quads.hpp"
 #include "ui/stroke_path.hpp"
 #include "ui/style.hpp"
 
@@ -27,16 +27,10 @@ class StrokeLayer {
     const GlTexture& picture() const { return picture_.color(); }
 
   private:
-    struct Instance {
-        std::array<float, 4> ends_px;
-        std::uint32_t color;
-    };
-
     GlProgram program_;
     GlFramebuffer picture_;
-    GlVertexArrayHandle vertex_array_{new_gl_vertex_array()};
-    GlBufferHandle instance_buffer_{new_gl_buffer()};
-    std::vector<Instance> waiting_;
+    InstancedQuads quads_;
+    std::vector<QuadInstance> waiting_;
 };
 
 }  // namespace touchstone

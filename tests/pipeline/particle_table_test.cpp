@@ -87,6 +87,19 @@ TEST_F(ParticleTableTest, AFingerPoursAndTheTableHolds) {
         EXPECT_GE(view.spheres[i - 1].centre_c_m.z(), view.spheres[i].centre_c_m.z());
 }
 
+/// The events of their going up come while nobody can touch, and are not told here.
+TEST_F(ParticleTableTest, LiftedFingersPourNoMore) {
+    ParticleTable table(device_, {}, k_);
+    const std::array down{finger(1, TouchPhase::down)};
+    table.advance(frame());
+    for (int i = 0; i < 5; ++i) table.advance(frame(down));
+    const int poured = table.count();
+    EXPECT_GT(poured, 0);
+    table.lift_fingers();
+    for (int i = 0; i < 5; ++i) table.advance(frame());
+    EXPECT_EQ(table.count(), poured);
+}
+
 TEST_F(ParticleTableTest, FourFingersClear) {
     ParticleTable table(device_, {}, k_);
     std::vector<TouchEvent> fingers{finger(0, TouchPhase::down)};
