@@ -80,6 +80,8 @@ TEST_F(ParticleTableTest, AFingerPoursAndTheTableHolds) {
         EXPECT_LT(sphere.centre_c_m.z(), table_m - 0.002f) << "none has passed the table";
         EXPECT_GT(sphere.centre_c_m.z(), table_m - 0.06f);
         EXPECT_NEAR(sphere.shadow_c_m.z(), table_m, 1e-4f);
+        const float over_m = table_m - sphere.centre_c_m.z() - 0.005f;
+        EXPECT_NEAR(sphere.shadow, std::min(1.0f - over_m / 0.12f, 1.0f), 1e-3f) << "paler with its height";
         mean_y_m += sphere.centre_c_m.y() / static_cast<float>(view.spheres.size());
     }
     EXPECT_LT(mean_y_m, -0.01f) << "before the finger";

@@ -31,8 +31,11 @@ TEST(Reconstruction, AStillCameraDoesNotDrift) {
 /// So many frames of a still camera that the model is not young any more (young_min_eigenvalue).
 constexpr int settled = 12;
 
+/// As many that the surface is not predicted anew in each frame.
+constexpr int well_settled = 36;
+
 /// Around the ball by 1.2 degrees and 20 mm a frame, and back.
-TEST(Reconstruction, AnOrbitComesBackToWhereItBegan) {
+void expect_orbit_comes_back(int frames_before) {
     ReconstructedScene scene(test::corner());
     const RigidTransform around = moved({0.0f, 0.0f, 1050.0f});
     const auto pose = [&](int frame) {
@@ -40,7 +43,7 @@ TEST(Reconstruction, AnOrbitComesBackToWhereItBegan) {
             15.0f * std::sin(std::numbers::pi_v<float> * static_cast<float>(frame) / 40.0f);
         return around * moved({0.0f, 0.0f, 0.0f}, angle_deg, {0.2f, 1.0f, 0.0f}) * around.inverse();
     };
-    for (int frame = -settled; frame <= 40; ++frame) {
+    for (int frame = -frames_before; frame <= 40; ++frame) {
         const RigidTransform T_s_c = pose(std::max(frame, 0));
         const ReconstructionFrame result = scene.process(T_s_c);
         EXPECT_EQ(result.tracking.state, TrackingState::good) << result.tracking.reason;
@@ -49,6 +52,41 @@ TEST(Reconstruction, AnOrbitComesBackToWhereItBegan) {
     }
     EXPECT_LT(scene.error(pose(40)).mm, 1.0f);
     EXPECT_LT(scene.error(pose(40)).deg, 0.05f);
+}
+
+TEST(Reconstruction, AnOrbitComesBackToWhereItBegan) {
+    expect_orbit_comes_back(settled);
+    expect_orbit_comes_back(well_settled);
+}
+
+std::size_t count_frames(const ReconstructedScene& scene, const char* stage) {
+    return scene.reconstruction.stage_times().summary(stage).frames;
+}
+
+/// The young model in every frame, then in each third; colours in the frame after it.
+TEST(Reconstruction, TheSurfaceIsPredictedAnewEveryThirdFrame) {
+    ReconstructedScene scene(test::corner());
+    const auto young = static_cast<std::size_t>(ReconstructionConfig{}.young_model_frames);
+    const std::vector<std::uint16_t> seen_mm = scene.seen_mm(still);
+    const std::vector<std::uint8_t> grey(3 * seen_mm.size(), 128);
+    for (std::size_t frame = 0; frame < young; ++frame) (void)scene.process_mm(seen_mm, grey);
+    EXPECT_EQ(count_frames(scene, "raycast"), young);
+    EXPECT_EQ(count_frames(scene, "colour"), young);
+    for (int frame = 0; frame < 9; ++frame) (void)scene.process_mm(seen_mm, grey);
+    EXPECT_EQ(count_frames(scene, "raycast"), young + 3);
+    EXPECT_EQ(count_frames(scene, "colour"), young + 3);
+    ASSERT_NE(scene.reconstruction.volume().colors(), nullptr);
+    EXPECT_FALSE(scene.reconstruction.volume().colors()->bricks().empty());
+}
+
+/// By 2.5 degrees a frame two frames turn by more than 4.
+TEST(Reconstruction, ACameraThatTurnsNeedsThePredictionSooner) {
+    ReconstructedScene scene(test::corner());
+    for (int frame = 0; frame < well_settled; ++frame) (void)scene.process(still);
+    const std::size_t before = count_frames(scene, "raycast");
+    for (int frame = 1; frame <= 6; ++frame)
+        (void)scene.process(moved({0.0f, 0.0f, 0.0f}, 2.5f * static_cast<float>(frame), {0.0f, 1.0f, 0.0f}));
+    EXPECT_EQ(count_frames(scene, "raycast") - before, 3u);
 }
 
 /// With a Kinect's noise, a wall and nothing else: along it there is nothing to go by, and the noise of the
