@@ -152,7 +152,12 @@ TableFrame Perception::process(const DepthFrame& frame) {
     if (const auto& area = pipeline_->area()) {
         shown.has_area = true;
         shown.area_px = area_corners_px(*area, intrinsics_);
+        shown.area = *area;
     }
+    shown.intrinsics = intrinsics_;
+    if (pipeline_->background()) shown.T_g_c = pipeline_->background()->T_g_c();
+    if (!wish_.particles) particles_.reset();
+    if (wish_.particles && !particles_) particles_.emplace(device_, options_.config.particles, intrinsics_);
     if (particles_) shown.particles = move_particles(result, frame.timestamp_us);
     shown.touches = result.touches;
     shown.hovers = result.hovers;
@@ -174,8 +179,6 @@ void Perception::start_pipeline(const Intrinsics& intrinsics) {
     pipeline_->set_touch_bias(bias_);
     if (object_) pipeline_->follow_object(*object_);
     particles_.reset();
-    if (options_.config.display.scene == "particles")
-        particles_.emplace(device_, options_.config.particles, intrinsics_);
     const std::string& file = options_.config.scan_file;
     if (file.empty()) return;
     std::error_code none;

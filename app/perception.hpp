@@ -32,6 +32,8 @@ class Perception {
     /// The next result: one processed frame, or word that there is no camera. Nothing once the source or the
     /// wanted number of frames is at its end.
     std::optional<TableFrame> step();
+    /// What the scene needs from now on.
+    void take(SceneWish wish) { wish_ = std::move(wish); }
     /// In step pace every frame must be shown before the next one.
     bool in_lock_step() const { return camera_ && camera_->pace() == Pace::step; }
 
@@ -80,7 +82,8 @@ class Perception {
     std::optional<PictureFolder> maps_;
     std::optional<CrossStep> crosses_;  ///< until they told the bias of touches
     TouchBias bias_;
-    std::optional<ParticleTable> particles_;  ///< in the scene of that name
+    SceneWish wish_;
+    std::optional<ParticleTable> particles_;  ///< while the scene wishes them
     StageTimes scene_times_;
     Intrinsics intrinsics_{};
     std::chrono::steady_clock::time_point last_frame_{};

@@ -18,6 +18,7 @@ class Presentation {
     explicit Presentation(const RunOptions& options);
 
     void show(const TableFrame& frame);
+    SceneWish wish() const { return presenter_.wish(); }
     /// The user closed the window.
     bool should_close() { return display_->should_close(); }
     /// A window goes on drawing between frames, so that it animates and takes events.

@@ -19,16 +19,19 @@ void run_in_lock_step(Perception& perception, Presentation& presentation, Termin
         const std::optional<TableFrame> frame = perception.step();
         if (!frame) return;
         presentation.show(*frame);
+        perception.take(presentation.wish());
     }
 }
 
 /// Live pace: perception has a thread of its own and never waits for the screen.
 void run_two_loops(Perception& perception, Presentation& presentation, TerminationSignals& signals) {
     Mailbox<TableFrame> mailbox(merge_frames);
+    Mailbox<SceneWish> wishes;
     std::exception_ptr failure;
     std::jthread perceiving([&](const std::stop_token& stop) {
         try {
             while (!stop.stop_requested()) {
+                if (std::optional<SceneWish> wish = wishes.try_take()) perception.take(std::move(*wish));
                 std::optional<TableFrame> frame = perception.step();
                 if (!frame) break;
                 mailbox.put(std::move(*frame));
@@ -44,7 +47,9 @@ void run_two_loops(Perception& perception, Presentation& presentation, Terminati
         std::optional<TableFrame> next = mailbox.take_for(between_looks);
         if (!next && mailbox.closed()) break;
         if (next) latest = std::move(*next);
-        if (next || presentation.animates()) presentation.show(latest);
+        if (!next && !presentation.animates()) continue;
+        presentation.show(latest);
+        wishes.put(presentation.wish());
     }
     perceiving.request_stop();
     perceiving.join();

@@ -7,6 +7,7 @@
 #include "pipeline/maps.hpp"
 #include "pipeline/ray_skipping.hpp"
 #include "pipeline/raycasting.hpp"
+#include "pipeline/scene_wish.hpp"
 #include "pipeline/tsdf_volume.hpp"
 #include "pipeline/types.hpp"
 #include "platform/opencl/program.hpp"
@@ -26,11 +27,6 @@ struct ViewLook {
     float mirror = 0.90f;             ///< of what is seen in the sphere
     float grazing_angle_deg = 80.0f;  ///< light that falls in more aslant than this fades, to nothing at 90
     float shadow_start_vox = 2.0f;    ///< height over their surface at which shadow rays start
-};
-
-struct MirrorSphere {
-    Eigen::Vector3f centre_g_m;
-    float radius_m;
 };
 
 /// A rasterised virtual mesh in the pixels of the view (Fig 12 a, b). A pixel without mesh has depth 0.

@@ -3,6 +3,7 @@
 #include <span>
 #include <string_view>
 
+#include "pipeline/scene_wish.hpp"
 #include "pipeline/touch_event.hpp"
 #include "platform/display/gl_texture.hpp"
 #include "platform/display/picture.hpp"
@@ -35,6 +36,8 @@ class Scene {
     virtual const GlTexture* surface_layer() const = 0;
     /// The same over the view, hands too: who draws it looks after what is hidden.
     virtual const GlTexture* overlay_layer() const { return nullptr; }
+    /// What it needs from the perception loop from now on.
+    virtual SceneWish wish() const { return {}; }
     /// What lies over everything.
     virtual void draw(Canvas& canvas, const ViewMapping& view) = 0;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pipeline/particle_view.hpp"
+#include "pipeline/scene_wish.hpp"
 #include "pipeline/touch_event.hpp"
 #include "pipeline/types.hpp"
 
@@ -31,7 +32,11 @@ struct TableFrame {
     std::array<Eigen::Vector2f, 4>
         area_px{};  ///< corners of the interactive area in the view, in order around it
     bool has_area = false;
-    std::shared_ptr<const ParticleView> particles;  ///< of the scene of that name, else null
+    InteractiveArea area;                               ///< where there is one
+    Intrinsics intrinsics{};                            ///< of the depth camera
+    RigidTransform T_g_c = RigidTransform::Identity();  ///< the camera's pose in the scan
+    std::shared_ptr<const ParticleView> particles;      ///< while the scene wishes them, else null
+    std::shared_ptr<const RenderedView> rendered;       ///< the last one the scene wished for, else null
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;
     std::optional<CrossGuide> cross;  ///< while touches are calibrated

@@ -56,6 +56,8 @@ void TablePresenter::present(const TableFrame& frame, float dt_s) {
     display_.present();
 }
 
+SceneWish TablePresenter::wish() const { return parts_->scene->wish(); }
+
 void TablePresenter::take_in(const TableFrame& frame) {
     Parts& p = *parts_;
     p.compositor.set_view(frame.view);

@@ -20,6 +20,8 @@ class TablePresenter {
     /// Takes the frame in, unless it was the last one presented, draws, and shows it. Afterwards the
     /// display's read_pixels gives the picture. `dt_s` is the time since the last call.
     void present(const TableFrame& frame, float dt_s);
+    /// What the scene needs from the perception loop.
+    SceneWish wish() const;
 
   private:
     struct Parts;

@@ -20,6 +20,11 @@ class ParticlesScene : public Scene {
     void update(float dt_s) override;
     const GlTexture* surface_layer() const override { return nullptr; }
     const GlTexture* overlay_layer() const override { return layer_ ? &layer_->picture() : nullptr; }
+    SceneWish wish() const override {
+        SceneWish wish;
+        wish.particles = true;
+        return wish;
+    }
     void draw(Canvas&, const ViewMapping&) override {}
 
   private:

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "pipeline/types.hpp"
+
+namespace touchstone {
+
+struct MirrorSphere {
+    Eigen::Vector3f centre_g_m;
+    float radius_m;
+};
+
+/// A virtual mesh rasterised in the pixels of a view, row-major (Fig 12 a, b). A pixel without mesh has
+/// depth 0.
+struct MeshPicture {
+    Intrinsics intrinsics{};
+    std::vector<float> depth_m;
+    std::vector<float> normals_c;     ///< planes x, y, z; unit length, facing the camera
+    std::vector<std::uint32_t> rgba;  ///< red in the lowest byte; alpha is not looked at
+};
+
+enum class ViewStyle { shaded, normals, colours, foreground };
+
+/// A picture of the scan that a scene wants. Wishes of one `version` want the same picture.
+struct ViewWish {
+    int version = 0;
+    std::optional<RigidTransform> T_g_v;  ///< the view's pose; none: the camera's, and hands hide it by depth
+    ViewStyle style = ViewStyle::shaded;
+    bool moving = false;  ///< more wishes follow soon: half quality will do
+    std::optional<MirrorSphere> sphere;
+    std::shared_ptr<const MeshPicture> mesh;  ///< in the pixels of that view; may be null
+};
+
+/// What the scene that is shown asks of the perception loop; the latest counts.
+struct SceneWish {
+    bool particles = false;     ///< are simulated, and kept only so long
+    int particles_cleared = 0;  ///< how often they were to be cleared
+    /// How far the table is tilted: of the particles' gravity, the share along the area's u and v.
+    Eigen::Vector2f tilt{0.0f, 0.0f};
+    std::optional<ViewWish> view;
+};
+
+/// What became of a ViewWish.
+struct RenderedView {
+    int version = 0;  ///< of the wish
+    /// Premultiplied alpha. From the camera's pose, alpha 0 where a hand is in front.
+    ShadedView picture;
+    bool is_full_quality = false;
+};
+
+}  // namespace touchstone
