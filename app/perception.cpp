@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <thread>
+#include <utility>
 
 #include "app/reports.hpp"
 #include "app/touch_bias_file.hpp"
@@ -256,7 +257,8 @@ void Perception::publish(const InteractionFrame& result, const DepthFrame& frame
 
 std::shared_ptr<const ParticleView> Perception::move_particles(const InteractionFrame& result,
                                                                std::uint64_t timestamp_us) {
-    if (result.state == InteractionState::scanning) particles_->clear();
+    const bool clears = std::exchange(particles_cleared_, wish_.particles_cleared) != wish_.particles_cleared;
+    if (clears || result.state == InteractionState::scanning) particles_->clear();
     if (result.state != InteractionState::live) {
         particles_->lift_fingers();
         return nullptr;
@@ -270,7 +272,7 @@ std::shared_ptr<const ParticleView> Perception::move_particles(const Interaction
         if (calibrates(result.state)) touches = {};
         *view =
             particles_->advance({pipeline_->live(), background.prediction(), foreground, background.volume(),
-                                 background.T_g_c(), *pipeline_->area(), touches, timestamp_us});
+                                 background.T_g_c(), *pipeline_->area(), touches, timestamp_us, wish_.tilt});
     }
     scene_times_.end_frame();
     return view;

@@ -84,6 +84,7 @@ class Perception {
     TouchBias bias_;
     SceneWish wish_;
     std::optional<ParticleTable> particles_;  ///< while the scene wishes them
+    int particles_cleared_ = 0;               ///< as often as the scene wished
     StageTimes scene_times_;
     Intrinsics intrinsics_{};
     std::chrono::steady_clock::time_point last_frame_{};

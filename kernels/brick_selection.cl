@@ -110,15 +110,16 @@ INLINE int8 enough_edge_pixels8(__global const float* depth_m, __global const uc
     return wanted & (vload8(0, edge_pixels) >= BRICK_EDGE_PIXELS);
 }
 
-/* Class of the bricks of the layers first_layer ... along y against the tile ranges. Eight bricks along x a work-item: global size
- * (an eighth of bricks_per_side, layers, bricks_per_side), each rounded up. A tile with an edge in it spans much depth: its pixels
- * decide, and single ones, that fly between the edge's two sides, do not. */
+/* Class of the bricks of every step-th layer from first_layer on along y against the tile ranges. Eight bricks along x a
+ * work-item: global size (an eighth of bricks_per_side, layers, bricks_per_side), each rounded up. A tile with an edge in it
+ * spans much depth: its pixels decide, and single ones, that fly between the edge's two sides, do not. */
 __kernel void classify_bricks(__global const float* depth_m, __global const uchar* sample_weights, __global const float* ranges_m,
-                              __global uchar* classes, const int first_layer, const int layers, const VolumeParams volume,
-                              const Intrinsics k, const MapShape shape, const Pose T_c_g) {
+                              __global uchar* classes, const int first_layer, const int layers, const int step,
+                              const VolumeParams volume, const Intrinsics k, const MapShape shape, const Pose T_c_g) {
     const int n = volume.bricks_per_side, x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), z = (int)get_global_id(2);
     if (x >= n || z >= n) return;
-    const BrickViews8 view = view_bricks8(convert_int8(lanes8()) + x, (int8)(first_layer + y), (int8)(z), volume, k, shape, T_c_g, 0.0f);
+    const int8 layer = (int8)(first_layer + step * y);
+    const BrickViews8 view = view_bricks8(convert_int8(lanes8()) + x, layer, (int8)(z), volume, k, shape, T_c_g, 0.0f);
     const float8 low_m = view.near_m - volume.min_truncation_m, high_m = view.far_m + volume.max_truncation_m;
     const int8 tile_x = view.first_x / TILE_PX, tile_y = view.first_y / TILE_PX;
     const int8 columns = select((int8)(0), view.last_x / TILE_PX - tile_x + 1, view.last_x >= 0);

@@ -9,7 +9,7 @@ INLINE float8 load_shifted8(__global const float* row, const int x, const int dx
 }
 
 /* The pixels' sample weights, less where seen aslant, and 0 where the angle is more than min_cos allows, or where within
- * guard_px a depth differs by more than such a surface could. Eight pixels a work-item; global size (pitch / 8, rows). */
+ * guard_px, where every second row and column is looked at, a depth differs by more than such a surface could. Eight pixels a work-item; global size (pitch / 8, rows). */
 __kernel void color_weights(__global const float* depth_m, __global const float* normals_c, __global const uchar* sample_weights,
                             __global uchar* weights, const MapShape shape, const Intrinsics k, const ColorParams params) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), plane = shape.pitch_px * shape.rows_px;
@@ -20,10 +20,10 @@ __kernel void color_weights(__global const float* depth_m, __global const float*
     const float8 cos_theta = -dot8(n, ray) * rsqrt(dot8(ray, ray));
     int8 used = (z > 0.0f) & (sample_weight > 0.0f) & (cos_theta > params.min_cos);
     const float slope_per_px = sqrt(1.0f - params.min_cos * params.min_cos) / (params.min_cos * k.fx_px);
-    const int first = max(-params.guard_px, -y), last = min(params.guard_px, shape.height_px - 1 - y);
-    for (int j = first; j <= last && any(used); ++j) {
+    for (int j = -params.guard_px; j <= params.guard_px && any(used); j += 2) {
+        if (y + j < 0 || y + j >= shape.height_px) continue;
         __global const float* row = depth_m + (y + j) * shape.pitch_px;
-        for (int i = -params.guard_px; i <= params.guard_px; ++i) {
+        for (int i = -params.guard_px; i <= params.guard_px; i += 2) {
             const float8 other = load_shifted8(row, x, i, shape);
             const float8 allowed = z * (params.gap_per_m + slope_per_px * (float)(abs(i) + abs(j)));
             used &= (other <= 0.0f) | (fabs(other - z) <= allowed);

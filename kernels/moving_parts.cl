@@ -2,9 +2,9 @@
  * free space was seen: by a coarse grid over the cube in the long run, by the picture of a few frames ago in the short run. A
  * new surface of a still scene comes from where nobody has looked. */
 
-/* Maps of the nearest depth in windows of 1, 2, 4 ... 64 pixels, each window at its top left pixel; 0 where a pixel of a window
+/* Maps of the nearest depth in windows of 1, 2, 4 ... 32 pixels, each window at its top left pixel; 0 where a pixel of a window
  * has no depth or is beyond the map. One map after the other, each with WINDOW_SLACK values to spare. */
-#define WINDOW_LEVELS 7
+#define WINDOW_LEVELS 6
 #define WINDOW_SLACK 64
 
 INLINE int window_map(const MapShape shape, const int level) {

@@ -10,7 +10,7 @@ namespace touchstone {
 
 namespace {
 
-constexpr int window_levels = 7;          // WINDOW_LEVELS and
+constexpr int window_levels = 6;          // WINDOW_LEVELS and
 constexpr int before_level = 3;           // windows of 8 pixels
 constexpr std::size_t window_slack = 64;  // WINDOW_SLACK of moving_parts.cl
 
@@ -71,6 +71,7 @@ void MovingParts::forget() {
     mask_.fill(0);
     untracked_.fill(0);
     watched_frames_ = 0;
+    holds_ = false;
     held_.fill(0);
     last_held_.fill(0);
     last_m_.fill(0.0f);
@@ -90,15 +91,29 @@ float MovingParts::find(const LiveMaps& live, const SurfacePrediction& model, co
                         config_.into_unknown ? 1 : 0, noise);
     keep_supported_seeds_.launch(size, candidates_, none_expected_, members_, shape_, 1);
     if (turns_fast(T_b_c)) members_.fill(MEMBER_NONE);
-    const float share = select_components(components_.find(members_, live.filtered_m));
-    hold_moving_.launch(size, labels_, members_, codes_, live.filtered_m, last_m_, last_held_, held_, parts_,
-                        shape_, intrinsics_, to_pose(T_p_c), config_.hold_frames, noise);
-    widen_rows_.launch(size, parts_, wide_, shape_, config_.widen_px);
-    widen_columns_.launch(size, wide_, mask_, shape_, config_.widen_px);
+    const bool is_still = !holds_ && !has_enough_seeds();
+    const float share = is_still ? 0.0f : select_components(components_.find(members_, live.filtered_m));
+    if (is_still) {
+        held_.fill(0);
+        mask_.fill(0);
+    } else {
+        hold_moving_.launch(size, labels_, members_, codes_, live.filtered_m, last_m_, last_held_, held_,
+                            parts_, shape_, intrinsics_, to_pose(T_p_c), config_.hold_frames, noise);
+        widen_rows_.launch(size, parts_, wide_, shape_, config_.widen_px);
+        widen_columns_.launch(size, wide_, mask_, shape_, config_.widen_px);
+        holds_ = std::ranges::any_of(held_.map_read().values(), [](std::uint8_t left) { return left > 0; });
+    }
     mark_untracked(live, share);
     const int step = share >= config_.min_watched_share ? 1 : -1;
     watched_frames_ = std::clamp(watched_frames_ + step, 0, config_.most_watched_frames);
     return share;
+}
+
+bool MovingParts::has_enough_seeds() const {
+    const auto members = members_.map_read();
+    return std::ranges::count_if(members.values(), [](std::uint8_t member) {
+               return member > MEMBER_GROWTH;
+           }) >= config_.min_seeds;
 }
 
 int MovingParts::young_frames() const {

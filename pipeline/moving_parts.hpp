@@ -74,6 +74,8 @@ class MovingParts {
     };
 
     bool turns_fast(const RigidTransform& T_b_c) const;
+    /// Fewer than a component needs: then there is none, and no need to look for it.
+    bool has_enough_seeds() const;
     int young_frames() const;
     void mark_untracked(const LiveMaps& live, float moving_share);
     bool enough_is_old(const LiveMaps& live) const;
@@ -94,6 +96,7 @@ class MovingParts {
         untracked_, seen_free_, seen_taken_, taken_now_, held_, last_held_;
     int watched_frames_ = 0;  // with something large that moves, less those without
     int remembered_frames_ = 0;
+    bool holds_ = false;  // a pixel of the last frame is held to move
     Buffer<int> labels_;
     Buffer<float> no_fallback_m_, last_m_, windows_m_;  // windows_m_: nearest depths, see moving_parts.cl
     std::array<Before, 3> before_;                      // the oldest is next_before_

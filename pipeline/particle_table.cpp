@@ -38,6 +38,12 @@ Eigen::Vector3f facing_normal(const InteractiveArea& area) {
     return normal.dot(area.origin_c_m) > 0.0f ? Eigen::Vector3f(-normal) : normal;
 }
 
+Eigen::Vector3f tilted_down(const InteractiveArea& area, const Eigen::Vector2f& tilt) {
+    return (tilt.x() * area.axis_u_c_m.normalized() + tilt.y() * area.axis_v_c_m.normalized() -
+            facing_normal(area))
+        .normalized();
+}
+
 std::vector<Particle> foreground_spheres(const ParticleTableFrame& frame, const Intrinsics& intrinsics,
                                          int step_px, float radius_m) {
     const auto live_m = frame.live.depth_m.map_read();
@@ -65,7 +71,7 @@ ParticleView ParticleTable::advance(const ParticleTableFrame& frame) {
     take_touches(frame);
     pour(frame, dt_s);
     set_hands(frame);
-    simulation_.set_gravity(frame.T_g_c.linear() * (-gravity * facing_normal(frame.area)));
+    simulation_.set_gravity(gravity * (frame.T_g_c.linear() * tilted_down(frame.area, frame.tilt)));
     simulation_.advance(dt_s, &frame.surface);
     if (++frames_ % frames_per_forgetting == 0) forget_fallen(frame);
     return view(frame);

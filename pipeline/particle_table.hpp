@@ -34,10 +34,12 @@ struct ParticleTableFrame {
     InteractiveArea area;
     std::span<const TouchEvent> touches;
     std::uint64_t timestamp_us = 0;
+    Eigen::Vector2f tilt{0.0f, 0.0f};  ///< as in SceneWish
 };
 
 /// Fig 9 and 13 on a table: particles are poured from fingertips, lie on the surface, and are pushed, scooped
-/// and held by whatever is in front of it. Gravity is along the surface's plane.
+/// and held by whatever is in front of it. Gravity is along the plumb line of
+/// the surface's plane, unless that is tilted.
 class ParticleTable {
   public:
     ParticleTable(const Device& device, const ParticleTableConfig& config, const Intrinsics& intrinsics);
@@ -69,6 +71,10 @@ class ParticleTable {
 
 /// Unit normal of the area's plane, camera frame, towards the camera.
 Eigen::Vector3f facing_normal(const InteractiveArea& area);
+
+/// Gravity over a tilted table, camera frame, length 1: to the surface, and by `tilt` along the area's u and
+/// v.
+Eigen::Vector3f tilted_down(const InteractiveArea& area, const Eigen::Vector2f& tilt);
 
 /// The spheres that stand for the foreground: behind its surface, one for each step_px pixels each way.
 /// Global frame, at rest.

@@ -49,6 +49,7 @@ ReconstructionConfig with_shared_noise(ReconstructionConfig config) {
         config.tracking.levels = object_levels;
         config.moving.into_unknown = true;
         config.moving.young_frames = 0;
+        config.frames_per_sweep = 1;
         config.track_again_inlier_share = object_inlier_share;
     }
     return config;
@@ -156,7 +157,8 @@ ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<con
         frame.fused = frame.tracking.state == TrackingState::good && frames_to_prove_ == 0;
         if (frame.tracking.state == TrackingState::good && frames_to_prove_ > 0) --frames_to_prove_;
         if (frame.fused) fuse(has_intensity ? color_rgb : std::span<const std::uint8_t>{});
-        if (frame.fused) keyframes_.add_if_new(make_small_picture(view), T_g_c_);
+        if (frame.fused && fused_frames_ % config_.frames_per_keyframe == 1)
+            keyframes_.add_if_new(make_small_picture(view), T_g_c_);
         if (frame.tracking.state != TrackingState::lost) {
             moving_.remember(live_, T_g_c_, frame.fused);
             if (needs_prediction(frame)) predict(has_intensity);
@@ -254,7 +256,7 @@ void Reconstruction::fuse(std::span<const std::uint8_t> color_rgb) {
     const std::vector<int>& bricks = [&]() -> const std::vector<int>& {
         const StageTimer timer(times_, "volumetric integration");
         const auto& updated =
-            integration_.integrate(volume_, live_.depth_m, weights, T_g_c_, all_layers(volume_));
+            integration_.integrate(volume_, live_.depth_m, weights, T_g_c_, layers_to_fuse());
         device_->finish();
         return updated;
     }();
@@ -264,6 +266,11 @@ void Reconstruction::fuse(std::span<const std::uint8_t> color_rgb) {
     if (!color_) color_.emplace(*device_, config_.color, intrinsics_);
     color_->integrate(volume_, live_, color_rgb, weights, T_g_c_, bricks);
     device_->finish();
+}
+
+BrickLayers Reconstruction::layers_to_fuse() const {
+    if (fused_frames_ <= config_.young_model_frames) return all_layers(volume_);
+    return interleaved_layers(volume_, fused_frames_ % config_.frames_per_sweep, config_.frames_per_sweep);
 }
 
 RigidTransform Reconstruction::T_p_l() const { return T_g_p_.inverse() * T_g_c_; }

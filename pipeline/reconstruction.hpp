@@ -34,6 +34,8 @@ struct ReconstructionConfig {
     float track_again_share = 0.003f, track_again_inlier_share = 0.0f;
     float poor_moving_share = 0.5f;  ///< of the picture: not fused
     int proving_frames = 5;          ///< that a pose found again must be tracked well before it is fused
+    int frames_per_sweep = 2;        ///< in which all of a model that is not young is fused once
+    int frames_per_keyframe = 3;     ///< of which one is looked at as a keyframe, more than 1
     /// The surface is predicted anew every so many frames, while the model is young, and where the camera has
     /// moved by more since.
     int frames_per_prediction = 3, young_model_frames = 30;
@@ -83,6 +85,7 @@ class Reconstruction {
     void align_again(bool has_intensity, TrackingResult& found);
     void relocalise(const DepthView& view, ReconstructionFrame& frame);
     void mark_outside(const RigidTransform& T_g_c);
+    BrickLayers layers_to_fuse() const;
     void fuse(std::span<const std::uint8_t> color_rgb);
     RigidTransform T_p_l() const;  // of the last frame that was tracked, seen from the prediction
     bool needs_prediction(const ReconstructionFrame& frame);

@@ -12,6 +12,10 @@ BrickLayers layer_share(const TsdfVolume& volume, int index, int parts) {
     return {first, side * (index + 1) / parts - first};
 }
 
+BrickLayers interleaved_layers(const TsdfVolume& volume, int index, int parts) {
+    return {index, (volume.params().bricks_per_side - index + parts - 1) / parts, parts};
+}
+
 VolumetricIntegration::VolumetricIntegration(const Device& device, const Intrinsics& intrinsics,
                                              const SensorNoise& noise)
     : device_(&device),
@@ -71,7 +75,7 @@ void VolumetricIntegration::classify(const TsdfVolume& volume, const Buffer<floa
     const auto count = static_cast<std::size_t>(layers.count);
     if (classes_.size() < side * count * side) classes_ = Buffer<std::uint8_t>(*device_, side * count * side);
     classify_bricks_.launch({{ceil_div(side, 8), count, round_up(side, 8)}, {1, 1, 8}}, depth_m,
-                            sample_weights, tile_ranges_m_, classes_, layers.first, layers.count,
+                            sample_weights, tile_ranges_m_, classes_, layers.first, layers.count, layers.step,
                             volume.params(), intrinsics_, shape_, T_c_g);
 }
 
@@ -82,7 +86,8 @@ void VolumetricIntegration::select_bricks(TsdfVolume& volume, const BrickLayers&
         const auto classes = classes_.map_read();
         std::size_t at = 0;
         for (int z = 0; z < side; ++z) {
-            for (int y = layers.first; y < layers.first + layers.count; ++y) {
+            for (int layer = 0; layer < layers.count; ++layer) {
+                const int y = layers.first + layer * layers.step;
                 for (int x = 0; x < side; ++x, ++at) {
                     if (classes[at] == BRICK_HIDDEN) continue;
                     const int brick = (z * side + y) * side + x;

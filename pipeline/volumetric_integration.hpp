@@ -10,16 +10,18 @@
 
 namespace touchstone {
 
-/// A share of the volume's brick layers along global y, so that a fixed camera's background is kept up in
-/// slices.
+/// Brick layers of the volume along global y, each `step`th from the first on.
 struct BrickLayers {
     int first = 0;
     int count = 0;
+    int step = 1;
 };
 /// All layers of a volume.
 BrickLayers all_layers(const TsdfVolume& volume);
-/// Part `index` of `parts` about equal parts.
+/// Part `index` of `parts` about equal slices: a fixed camera's background is kept up in them.
 BrickLayers layer_share(const TsdfVolume& volume, int index, int parts);
+/// Every `parts`th layer from layer `index` on: each part is seen as much as the others.
+BrickLayers interleaved_layers(const TsdfVolume& volume, int index, int parts);
 
 /// Fig 11c, Listing 2: fuses a weighted depth picture into a volume, touching only bricks near or in front of
 /// the surface.

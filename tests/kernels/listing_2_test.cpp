@@ -120,6 +120,19 @@ TEST(Listing2, PixelsWithoutWeightOrDepthChangeNothing) {
     EXPECT_EQ(empty.bricks_in_use(), 0);
 }
 
+void expect_equal(const TsdfVolume& whole, const TsdfVolume& parts) {
+    ASSERT_EQ(whole.bricks_in_use(), parts.bricks_in_use());
+    const std::vector<int> a = whole.pool().read(), b = parts.pool().read();
+    for (std::size_t brick = 0; brick < whole.brick_count(); ++brick) {
+        const int i = whole.slot(static_cast<int>(brick)), j = parts.slot(static_cast<int>(brick));
+        ASSERT_EQ(i >= 0, j >= 0);
+        if (i < 0) continue;
+        const auto first = a.begin() + static_cast<std::ptrdiff_t>(i) * BRICK_VOXELS;
+        ASSERT_TRUE(std::equal(first, first + BRICK_VOXELS,
+                               b.begin() + static_cast<std::ptrdiff_t>(j) * BRICK_VOXELS));
+    }
+}
+
 TEST(Listing2, SlicesTogetherEqualTheWhole) {
     const Device device(DeviceConfig{});
     const Scene scene;
@@ -131,16 +144,25 @@ TEST(Listing2, SlicesTogetherEqualTheWhole) {
     for (int part = 0; part < 3; ++part) {
         integration.integrate(sliced, depth, weights, pose_in_front(), layer_share(sliced, part, 3));
     }
-    ASSERT_EQ(whole.bricks_in_use(), sliced.bricks_in_use());
-    const std::vector<int> a = whole.pool().read(), b = sliced.pool().read();
-    for (std::size_t brick = 0; brick < whole.brick_count(); ++brick) {
-        const int i = whole.slot(static_cast<int>(brick)), j = sliced.slot(static_cast<int>(brick));
-        ASSERT_EQ(i >= 0, j >= 0);
-        if (i < 0) continue;
-        const auto first = a.begin() + static_cast<std::ptrdiff_t>(i) * BRICK_VOXELS;
-        ASSERT_TRUE(std::equal(first, first + BRICK_VOXELS,
-                               b.begin() + static_cast<std::ptrdiff_t>(j) * BRICK_VOXELS));
+    expect_equal(whole, sliced);
+}
+
+TEST(Listing2, InterleavedLayersTogetherEqualTheWhole) {
+    const Device device(DeviceConfig{});
+    const Scene scene;
+    const Buffer<float> depth(device, test::padded<float>(scene.shape, scene.depth_m));
+    const Buffer<std::uint8_t> weights(device, test::padded<std::uint8_t>(scene.shape, scene.weights));
+    TsdfVolume whole(device, small_volume(3)), parts(device, small_volume(3));
+    VolumetricIntegration integration(device, scene.k);
+    integration.integrate(whole, depth, weights, pose_in_front(), all_layers(whole));
+    const int side = whole.params().bricks_per_side;
+    for (int part = 0; part < 3; ++part) {
+        const std::vector<int>& bricks =
+            integration.integrate(parts, depth, weights, pose_in_front(), interleaved_layers(parts, part, 3));
+        ASSERT_FALSE(bricks.empty());
+        for (const int brick : bricks) EXPECT_EQ(brick / side % side % 3, part);
     }
+    expect_equal(whole, parts);
 }
 
 int known_weight(const TsdfVolume& volume) {

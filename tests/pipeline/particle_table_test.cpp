@@ -113,6 +113,30 @@ TEST_F(ParticleTableTest, FourFingersClear) {
     EXPECT_EQ(table.count(), 0);
 }
 
+/// Half of gravity's pull along u: at rest they lean on nothing, so they run that way.
+TEST_F(ParticleTableTest, OnATiltedTableTheyRunDown) {
+    EXPECT_LT((tilted_down(area_, {0.0f, 0.0f}) - Eigen::Vector3f(0.0f, 0.0f, 1.0f)).norm(), 1e-6f);
+    ParticleTable table(device_, {}, k_);
+    const std::array down{finger(1, TouchPhase::down)}, up{finger(1, TouchPhase::up)};
+    table.advance(frame());
+    for (int i = 0; i < 20; ++i) table.advance(frame(down));
+    table.advance(frame(up));
+    const auto mean_x_m = [&](const Eigen::Vector2f& tilt, int frames) {
+        ParticleView view;
+        for (int i = 0; i < frames; ++i) {
+            ParticleTableFrame each = frame();
+            each.tilt = tilt;
+            view = table.advance(each);
+        }
+        float sum_m = 0.0f;
+        for (const ParticleSphere& sphere : view.spheres) sum_m += sphere.centre_c_m.x();
+        return sum_m / static_cast<float>(view.spheres.size());
+    };
+    const float level_m = mean_x_m({0.0f, 0.0f}, 60);
+    EXPECT_NEAR(level_m, 0.0f, 0.02f);
+    EXPECT_GT(mean_x_m({1.0f, 0.0f}, 10), level_m + 0.03f);
+}
+
 /// Pixels of whole fours each way, in columns 60 to 99 and rows 45 to 74: 10 x 7; their fronts touch the
 /// hand's surface.
 TEST_F(ParticleTableTest, SpheresStandForTheForeground) {
