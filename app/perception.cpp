@@ -270,9 +270,9 @@ std::shared_ptr<const ParticleView> Perception::move_particles(const Interaction
         const std::vector<std::uint8_t> foreground = pipeline_->foreground_map();
         std::span<const TouchEvent> touches = result.touches;
         if (calibrates(result.state)) touches = {};
-        *view =
-            particles_->advance({pipeline_->live(), background.prediction(), foreground, background.volume(),
-                                 background.T_g_c(), *pipeline_->area(), touches, timestamp_us, wish_.tilt});
+        *view = particles_->advance({pipeline_->live(), background.prediction(), foreground,
+                                     background.volume(), background.T_g_c(), *pipeline_->area(), touches,
+                                     timestamp_us, result.hovers, wish_.tilt});
     }
     scene_times_.end_frame();
     return view;

@@ -110,8 +110,14 @@ void ParticleTable::pour(const ParticleTableFrame& frame, float dt_s) {
 }
 
 void ParticleTable::set_hands(const ParticleTableFrame& frame) {
-    simulation_.set_still(
-        foreground_spheres(frame, intrinsics_, config_.still_step_px, config_.simulation.still_radius_m));
+    std::vector<Fingertip> tips;
+    for (const auto& [id, tip] : fingers_) tips.push_back(tip);
+    for (const HoverEvent& hover : frame.hovers) tips.push_back(hover.tip);
+    hands_.see(tips, frame.T_g_c, frame.timestamp_us);
+    std::vector<Particle> spheres =
+        foreground_spheres(frame, intrinsics_, config_.still_step_px, config_.simulation.still_radius_m);
+    for (Particle& sphere : spheres) sphere.velocity = hands_.velocity_at(sphere.position_m);
+    simulation_.set_still(spheres);
 }
 
 void ParticleTable::forget_fallen(const ParticleTableFrame& frame) {

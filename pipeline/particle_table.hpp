@@ -4,6 +4,7 @@
 #include <random>
 #include <span>
 
+#include "pipeline/hand_motion.hpp"
 #include "pipeline/maps.hpp"
 #include "pipeline/particle_simulation.hpp"
 #include "pipeline/particle_view.hpp"
@@ -34,6 +35,7 @@ struct ParticleTableFrame {
     InteractiveArea area;
     std::span<const TouchEvent> touches;
     std::uint64_t timestamp_us = 0;
+    std::span<const HoverEvent> hovers = {};
     Eigen::Vector2f tilt{0.0f, 0.0f};  ///< as in SceneWish
 };
 
@@ -49,7 +51,10 @@ class ParticleTable {
     /// What they lay on is gone: it is scanned anew.
     void clear() { simulation_.clear(); }
     /// Nobody can touch: those that poured do not any more.
-    void lift_fingers() { fingers_.clear(); }
+    void lift_fingers() {
+        fingers_.clear();
+        hands_.forget();
+    }
     int count() const { return simulation_.count(); }
 
   private:
@@ -63,6 +68,7 @@ class ParticleTable {
     Intrinsics intrinsics_;
     ParticleSimulation simulation_;
     std::map<int, Fingertip> fingers_;  // in contact
+    HandMotion hands_;
     std::mt19937 random_{1};
     std::uint64_t last_us_ = 0;
     float owed_ = 0.0f;  // particles of each finger, below one

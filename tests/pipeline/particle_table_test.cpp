@@ -151,6 +151,39 @@ TEST_F(ParticleTableTest, SpheresStandForTheForeground) {
     }
 }
 
+/// The same hand at rest, and told by its fingertip to move at 0.5 m/s along u: only the one that moves takes
+/// along what lies on it. It stays where it is in the picture, so that nothing else pushes.
+TEST_F(ParticleTableTest, AMovingHandTakesAlongWhatLiesOnIt) {
+    put_hand();
+    ParticleTableConfig config;
+    config.still_step_px = 1;  // as dense on the hand as four pixels of a Kinect
+    const auto mean_x_m = [&](float speed) {
+        ParticleTable table(device_, config, k_);
+        TouchEvent spout = finger(1, TouchPhase::down);
+        spout.tip.surface_c_m = {0.0f, 0.03f, 0.88f};  // pours onto the middle of the hand
+        ParticleView view = table.advance(frame());
+        const std::array down{spout};
+        for (int i = 0; i < 10; ++i) table.advance(frame(down));
+        spout.phase = TouchPhase::up;
+        const std::array up{spout};
+        table.advance(frame(up));
+        for (int i = 0; i < 12; ++i) table.advance(frame());
+        for (int i = 0; i < 8; ++i) {
+            HoverEvent hover;
+            hover.tip.id = 2;
+            hover.tip.surface_c_m = {speed * static_cast<float>(i) / 30.0f, 0.0f, 0.9f};
+            const std::array hovers{hover};
+            ParticleTableFrame each = frame();
+            each.hovers = hovers;
+            view = table.advance(each);
+        }
+        float sum_m = 0.0f;
+        for (const ParticleSphere& sphere : view.spheres) sum_m += sphere.centre_c_m.x();
+        return sum_m / static_cast<float>(view.spheres.size());
+    };
+    EXPECT_GT(mean_x_m(0.5f), mean_x_m(0.0f) + 0.01f);
+}
+
 TEST_F(ParticleTableTest, WhatIsRealIsInTheDepthOfTheView) {
     put_hand();
     ParticleTable table(device_, {}, k_);

@@ -1,3 +1,3 @@
 touchstone_test(pipeline_particles_test
-    SOURCES particle_simulation_test.cpp particle_table_test.cpp
+    SOURCES hand_motion_test.cpp particle_simulation_test.cpp particle_table_test.cpp
     LIBRARIES touchstone_pipeline)
