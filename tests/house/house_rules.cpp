@@ -44,7 +44,8 @@ std::vector<std::string> allowed_for(const std::string& part) {
     if (part == "ui") {
         return {"platform/display",           "platform/system",
                 "pipeline/types.hpp",         "pipeline/touch_event.hpp",
-                "pipeline/particle_view.hpp", "pipeline/scene_wish.hpp",   "kernels/shared_types.h"};
+                "pipeline/particle_view.hpp", "pipeline/scene_wish.hpp",
+                "kernels/shared_types.h"};
     }
     if (part == "pipeline") return {"platform/opencl", "platform/system", "kernels"};
     if (part == "kernels" || part == "platform/system") return {};
