@@ -157,9 +157,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
     }
     shown.intrinsics = intrinsics_;
     if (pipeline_->background()) shown.T_g_c = pipeline_->background()->T_g_c();
-    if (!wish_.particles) particles_.reset();
-    if (wish_.particles && !particles_) particles_.emplace(device_, options_.config.particles, intrinsics_);
-    if (particles_) shown.particles = move_particles(result, frame.timestamp_us);
+    serve_scene(result, frame.timestamp_us, shown);
     shown.touches = result.touches;
     shown.hovers = result.hovers;
     if (calibrates(result.state)) take_crosses(result);
@@ -180,6 +178,7 @@ void Perception::start_pipeline(const Intrinsics& intrinsics) {
     pipeline_->set_touch_bias(bias_);
     if (object_) pipeline_->follow_object(*object_);
     particles_.reset();
+    scene_view_.reset();
     const std::string& file = options_.config.scan_file;
     if (file.empty()) return;
     std::error_code none;
@@ -253,29 +252,6 @@ void Perception::publish(const InteractionFrame& result, const DepthFrame& frame
     if (!maps_) return;
     maps_->write_map(frame.index, "foreground", frame.width_px, frame.height_px, pipeline_->foreground_map());
     maps_->write_map(frame.index, "touch", frame.width_px, frame.height_px, pipeline_->touch_map());
-}
-
-std::shared_ptr<const ParticleView> Perception::move_particles(const InteractionFrame& result,
-                                                               std::uint64_t timestamp_us) {
-    const bool clears = std::exchange(particles_cleared_, wish_.particles_cleared) != wish_.particles_cleared;
-    if (clears || result.state == InteractionState::scanning) particles_->clear();
-    if (result.state != InteractionState::live) {
-        particles_->lift_fingers();
-        return nullptr;
-    }
-    auto view = std::make_shared<ParticleView>();
-    {
-        const StageTimer timer(scene_times_, "particles");
-        const BackgroundModel& background = *pipeline_->background();
-        const std::vector<std::uint8_t> foreground = pipeline_->foreground_map();
-        std::span<const TouchEvent> touches = result.touches;
-        if (calibrates(result.state)) touches = {};
-        *view = particles_->advance({pipeline_->live(), background.prediction(), foreground,
-                                     background.volume(), background.T_g_c(), *pipeline_->area(), touches,
-                                     timestamp_us, result.hovers, wish_.tilt});
-    }
-    scene_times_.end_frame();
-    return view;
 }
 
 void Perception::measure_rate(std::chrono::steady_clock::time_point start) {

@@ -14,6 +14,7 @@
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "pipeline/particle_table.hpp"
+#include "pipeline/scene_view.hpp"
 #include "platform/camera/depth_camera.hpp"
 #include "platform/camera/sensor_session.hpp"
 #include "platform/output/touch_sink.hpp"
@@ -62,8 +63,11 @@ class Perception {
     /// Whether crosses are to be touched; their touches are no others'.
     bool calibrates(InteractionState state) const { return crosses_ && state == InteractionState::live; }
     void take_crosses(const InteractionFrame& result);
+    /// Particles and pictures, as the scene wishes.
+    void serve_scene(const InteractionFrame& result, std::uint64_t timestamp_us, TableFrame& shown);
     std::shared_ptr<const ParticleView> move_particles(const InteractionFrame& result,
                                                        std::uint64_t timestamp_us);
+    std::shared_ptr<const RenderedView> render_wish();
     void measure_rate(std::chrono::steady_clock::time_point start);
 
     RunOptions options_;
@@ -84,6 +88,7 @@ class Perception {
     TouchBias bias_;
     SceneWish wish_;
     std::optional<ParticleTable> particles_;  ///< while the scene wishes them
+    std::optional<SceneView> scene_view_;     ///< while the scene wishes a picture
     int particles_cleared_ = 0;               ///< as often as the scene wished
     StageTimes scene_times_;
     Intrinsics intrinsics_{};

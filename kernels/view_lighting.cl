@@ -250,11 +250,22 @@ INLINE Colour8 sky8(const ViewLightingParams params, const Points8 direction) {
     return c;
 }
 
+/* ViewStyle of pipeline/scene_wish.hpp. */
+#define STYLE_NORMALS 1
+#define STYLE_COLOURS 2
+
+/* As show_normals of shading.cl: red to the right, green up, blue towards the camera. */
+INLINE Colour8 colour_of_normal8(const Points8 normal_c) {
+    const Colour8 c = {0.5f + 0.5f * normal_c.x, 0.5f - 0.5f * normal_c.y, 0.5f - 0.5f * normal_c.z};
+    return c;
+}
+
 __kernel void light_view(__global const int* table, __global const int* pool, __global const int* color_table,
                          __global const uint* colors, __global const float* surface_m, __global const float* surface_normals_c,
                          __global const float* mesh_m, __global const float* mesh_normals_c, __global const uint* mesh_rgba,
                          __global uint* rgba, __global float* depth_m, const VolumeParams volume, const Intrinsics k,
-                         const MapShape shape, const MapShape mesh_shape, const Pose T_g_c, const ViewLightingParams params) {
+                         const MapShape shape, const MapShape mesh_shape, const Pose T_g_c, const ViewLightingParams params,
+                         const int style) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), plane = shape.pitch_px * shape.rows_px;
     const int at = y * shape.pitch_px + x;
     const float to_vox = 1.0f / volume.voxel_m;
@@ -269,7 +280,8 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     seen.normal = load_points8(surface_normals_c + at, plane);
     seen.colour.r = seen.colour.g = seen.colour.b = (float8)(0.0f);
     if (params.mesh_step) end_at_mesh8(mesh_m, mesh_normals_c, mesh_rgba, mesh_shape, params.mesh_step, x, y, &seen);
-    seen.normal = rotate_vectors8(T_g_c, seen.normal);
+    const Points8 normal_c = seen.normal;
+    seen.normal = rotate_vectors8(T_g_c, normal_c);
     seen.point = along8(camera, ray_g, seen.depth_m * to_vox);
     seen.direction = normalized8(ray_g);
     if (sphere_vox.w > 0.0f) follow_mirror8(table, pool, volume, params, camera, ray_g, sphere_vox, in_picture, &seen);
@@ -279,12 +291,14 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     const Points8 to_light = {light_vox.x - seen.point.x, light_vox.y - seen.point.y, light_vox.z - seen.point.z};
     const Points8 light = normalized8(to_light);
     const float8 cos_light = dot8(seen.normal, light);
-    const float8 share = light_share8(table, pool, volume, params, to_light, sphere_vox, &seen, cos_light);
+    const int is_unlit = style == STYLE_NORMALS || (style == STYLE_COLOURS && params.has_colors);
+    const float8 share = is_unlit ? (float8)(0.0f) : light_share8(table, pool, volume, params, to_light, sphere_vox, &seen, cos_light);
     const float8 level = params.ambient + params.diffuse * fmax(cos_light, 0.0f) * share;
     float8 shine = fmax(dot8(along8(light, seen.normal, -2.0f * cos_light), seen.direction), 0.0f);
     shine *= shine, shine *= shine, shine *= shine, shine *= shine;
     shine *= params.surface.w * share;
-    const Colour8 lit = {base.r * level + shine, base.g * level + shine, base.b * level + shine};
+    Colour8 lit = {base.r * level + shine, base.g * level + shine, base.b * level + shine};
+    if (is_unlit) lit = style == STYLE_NORMALS ? colour_of_normal8(normal_c) : base;
     const Colour8 beyond = choose_colour8(one_colour8(params.unknown), sky8(params, seen.direction), seen.mirror);
     const Colour8 shown = choose_colour8(beyond, lit, seen.hit);
     const float8 kept = select((float8)(1.0f), (float8)(params.mirror), seen.mirror);

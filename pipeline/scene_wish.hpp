@@ -29,11 +29,12 @@ enum class ViewStyle { shaded, normals, colours, foreground };
 /// A picture of the scan that a scene wants. Wishes of one `version` want the same picture.
 struct ViewWish {
     int version = 0;
-    std::optional<RigidTransform> T_g_v;  ///< the view's pose; none: the camera's, and hands hide it by depth
+    /// The view's pose; none: the camera's, and hands hide it by depth.
+    std::optional<RigidTransform> T_g_v = std::nullopt;
     ViewStyle style = ViewStyle::shaded;
     bool moving = false;  ///< more wishes follow soon: half quality will do
-    std::optional<MirrorSphere> sphere;
-    std::shared_ptr<const MeshPicture> mesh;  ///< in the pixels of that view; may be null
+    std::optional<MirrorSphere> sphere = std::nullopt;
+    std::shared_ptr<const MeshPicture> mesh = nullptr;  ///< in the pixels of that view; may be null
 };
 
 /// What the scene that is shown asks of the perception loop; the latest counts.
@@ -42,7 +43,7 @@ struct SceneWish {
     int particles_cleared = 0;  ///< how often they were to be cleared
     /// How far the table is tilted: of the particles' gravity, the share along the area's u and v.
     Eigen::Vector2f tilt{0.0f, 0.0f};
-    std::optional<ViewWish> view;
+    std::optional<ViewWish> view = std::nullopt;
 };
 
 /// What became of a ViewWish.
@@ -51,6 +52,7 @@ struct RenderedView {
     /// Premultiplied alpha. From the camera's pose, alpha 0 where a hand is in front.
     ShadedView picture;
     bool is_full_quality = false;
+    bool has_colors = false;  ///< the scan keeps colours
 };
 
 }  // namespace touchstone

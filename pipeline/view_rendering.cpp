@@ -95,7 +95,7 @@ void ViewRendering::launch(const TsdfVolume& volume, const RigidTransform& T_g_c
     light_view_.launch(eight_pixels_each(picture.shape), skipping_.table(), volume.pool(), color_table_,
                        colors, surface.depth_m, surface.normals_c, mesh.depth_m, mesh.normals_c, mesh.rgba,
                        picture.rgba, picture.depth_m, volume.params(), intrinsics, picture.shape,
-                       picture_.shape, to_pose(T_g_c), params);
+                       picture_.shape, to_pose(T_g_c), params, static_cast<int>(scene.style));
 }
 
 bool ViewRendering::update_color_table(const TsdfVolume& volume) {

@@ -41,6 +41,8 @@ struct ViewScene {
     Eigen::Vector3f light_g_m;
     std::optional<MirrorSphere> sphere;
     const MeshMaps* mesh = nullptr;
+    /// Normals and colours are not lit; colours are where the volume keeps some.
+    ViewStyle style = ViewStyle::shaded;
 };
 
 enum class ViewQuality {

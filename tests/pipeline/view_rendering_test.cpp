@@ -37,6 +37,12 @@ class ViewRenderingTest : public testing::Test {
         }
         return true;
     }
+    auto has_the_colour_of(const test::SceneHit& seen) const {
+        return [this, color = seen.color](int x, int y) {
+            const auto beside = hit(x, y);
+            return beside && beside->color == color;
+        };
+    }
     template <class F>
     void for_each_pixel(F f) const {
         for (int y = 0; y < k.height_px; ++y) {
@@ -89,6 +95,37 @@ TEST_F(ViewRenderingTest, WithoutColoursSurfacesHaveTheLooksColour) {
     EXPECT_NEAR(static_cast<float>(r) / static_cast<float>(b), look.surface.x() / look.surface.z(), 0.01f);
     EXPECT_NEAR(static_cast<float>(g) / static_cast<float>(b), look.surface.y() / look.surface.z(), 0.01f);
     EXPECT_GT(b, 100);
+}
+
+/// As colours: red to the right, green up, blue towards the camera; 0.05 is 6 degrees, of faces between
+/// voxels.
+TEST_F(ViewRenderingTest, NormalsAreShownAsColours) {
+    render({light_g_m, std::nullopt, nullptr, ViewStyle::normals});
+    int compared = 0;
+    for_each_pixel([&](int x, int y) {
+        const auto seen = hit(x, y);
+        if (!seen || seen->to_edge_m < 0.025f || !around(x, y, has_the_colour_of(*seen))) return;
+        const Eigen::Vector3f n = T_g_c.linear().transpose() * seen->normal;
+        const std::array expected{0.5f + 0.5f * n.x(), 0.5f - 0.5f * n.y(), 0.5f - 0.5f * n.z()};
+        for (std::size_t i = 0; i < 3; ++i)
+            ASSERT_NEAR(static_cast<float>(rgb(x, y)[i]) / 255.0f, expected[i], 0.05f) << x << ", " << y;
+        ++compared;
+    });
+    EXPECT_GT(compared, 5000);
+}
+
+/// Neither light nor shadow: the volume's own, to two of 255.
+TEST_F(ViewRenderingTest, ColoursAreShownUnlit) {
+    render({light_g_m, std::nullopt, nullptr, ViewStyle::colours});
+    int compared = 0;
+    for_each_pixel([&](int x, int y) {
+        const auto seen = hit(x, y);
+        if (!seen || seen->to_edge_m < 0.025f || !around(x, y, has_the_colour_of(*seen))) return;
+        for (std::size_t i = 0; i < 3; ++i)
+            ASSERT_NEAR(rgb(x, y)[i], 255.0f * seen->color[static_cast<int>(i)], 2.0f) << x << ", " << y;
+        ++compared;
+    });
+    EXPECT_GT(compared, 5000);
 }
 
 TEST_F(ViewRenderingTest, ASphereBehindTheBoxIsHiddenToThePixel) {
