@@ -150,6 +150,11 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("width_px", config.display.width_px, 160, 7680, "");
     keys.add("height_px", config.display.height_px, 120, 4320, "");
     keys.add("scene", config.display.scene, "what the table shows");
+    keys.add("menu", config.display.menu, "scenes are changed by touch");
+    keys.add("attract_after_s", config.display.attract_after_s, 0, 86400,
+             "without touch or hover, until the table asks to be touched; 0: never");
+    keys.add("painting_file", config.display.painting_file, "keeps what is painted; empty: it is lost");
+    keys.add("photos", config.display.photos, "folder of PNG and JPEG for the scene photos");
     keys.section("particles");
     ParticleTableConfig& particles = config.particles;
     keys.add("most", particles.simulation.capacity, 1, 131072, "more push out the oldest");

@@ -19,6 +19,10 @@ struct DisplayConfig {
     int width_px = 1280;
     int height_px = 720;
     std::string scene = "paint";
+    bool menu = true;
+    float attract_after_s = 60.0f;  ///< 0: never
+    std::string painting_file;      ///< empty: the painting is not kept
+    std::string photos;             ///< folder; empty: pictures of the program's own
 };
 
 /// Everything that can be configured; each member's default is the program's.

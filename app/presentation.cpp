@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "app/photo_folder.hpp"
 #include "platform/display/headless_display.hpp"
 #include "platform/display/sdl_display.hpp"
 
@@ -20,12 +21,23 @@ std::unique_ptr<Display> make_display(DisplayKind kind, const DisplayConfig& con
     return kind == DisplayKind::window ? make_sdl_display("Touchstone", size) : make_headless_display(size);
 }
 
+PresenterConfig presenter_config(const DisplayConfig& config) {
+    PresenterConfig presenter;
+    presenter.menu = config.menu;
+    presenter.attract_after_s = config.attract_after_s;
+    presenter.scenes.painting_file = config.painting_file;
+    presenter.scenes.photo_folder = config.photos;
+    if (!config.photos.empty())
+        presenter.scenes.open_photos = [folder = config.photos] { return open_photo_folder(folder); };
+    return presenter;
+}
+
 }  // namespace
 
 Presentation::Presentation(const RunOptions& options)
     : kind_(choose_kind(options)),
       display_(make_display(kind_, options.config.display)),
-      presenter_(*display_, options.config.display.scene),
+      presenter_(*display_, options.config.display.scene, presenter_config(options.config.display)),
       last_shown_(std::chrono::steady_clock::now()) {
     if (options.shots_dir) shots_.emplace(*options.shots_dir);
 }

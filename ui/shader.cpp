@@ -17,9 +17,18 @@ ShaderSource find_shader(const std::string& name) {
 
 }  // namespace
 
-GlProgram make_program(std::string_view name) {
-    const std::string base = "shaders/" + std::string(name);
-    return {find_shader(base + ".vert"), find_shader(base + ".frag")};
+GlProgram make_program(std::string_view name) { return make_program(name, name, {}); }
+
+GlProgram make_program(std::string_view vertex, std::string_view fragment,
+                       std::span<const std::string_view> macros) {
+    const std::string base = "shaders/";
+    const ShaderSource source = find_shader(base + std::string(fragment) + ".frag");
+    const std::size_t version_end = source.text.find('\n') + 1;
+    std::string text(source.text.substr(0, version_end));
+    for (const std::string_view macro : macros) text += "#define " + std::string(macro) + " 1\n";
+    text += "#line 2\n";
+    text += source.text.substr(version_end);
+    return {find_shader(base + std::string(vertex) + ".vert"), {source.path, text}};
 }
 
 }  // namespace touchstone

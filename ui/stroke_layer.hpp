@@ -12,6 +12,13 @@
 
 namespace touchstone {
 
+/// How pieces of a stroke are drawn.
+struct StrokeLook {
+    style::Color color;
+    float radius_px = 0.f;  ///< of the depth picture
+    bool erases = false;
+};
+
 /// Paint that stays: pieces of strokes are drawn once into a picture that covers the view, so that a frame
 /// costs the same however much has been painted. Row 0 is the top; premultiplied alpha.
 class StrokeLayer {
@@ -21,16 +28,23 @@ class StrokeLayer {
 
     void clear();
     /// Places in view pixels (centres at whole numbers).
-    void add(std::span<const StrokePiece> pieces, style::Color color);
+    void add(std::span<const StrokePiece> pieces, const StrokeLook& look);
     /// Draws what was added since the last call.
     void flush();
     const GlTexture& picture() const { return picture_.color(); }
 
   private:
+    /// Pieces that are drawn with one call.
+    struct Batch {
+        float radius_px;  // of the layer
+        bool erases;
+        std::vector<QuadInstance> pieces;
+    };
+
     GlProgram program_;
     GlFramebuffer picture_;
     InstancedQuads quads_;
-    std::vector<QuadInstance> waiting_;
+    std::vector<Batch> waiting_;
 };
 
 }  // namespace touchstone

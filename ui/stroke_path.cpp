@@ -37,8 +37,7 @@ void StrokePath::move(const Eigen::Vector2f& to_px, std::vector<StrokePiece>& pi
     place_px_ = to_px;
 }
 
-void StrokePath::finish(const Eigen::Vector2f& end_px, std::vector<StrokePiece>& pieces) {
-    move(end_px, pieces);
+void StrokePath::finish(std::vector<StrokePiece>& pieces) {
     if (drawn_to_px_ != place_px_) pieces.push_back({drawn_to_px_, place_px_});
     drawn_to_px_ = place_px_;
 }

@@ -19,7 +19,7 @@ class StrokePath {
     /// A dot, so that a tap leaves a mark.
     StrokePath(const Eigen::Vector2f& start_px, std::vector<StrokePiece>& pieces);
     void move(const Eigen::Vector2f& to_px, std::vector<StrokePiece>& pieces);
-    void finish(const Eigen::Vector2f& end_px, std::vector<StrokePiece>& pieces);
+    void finish(std::vector<StrokePiece>& pieces);
 
   private:
     Eigen::Vector2f drawn_to_px_;

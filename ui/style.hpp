@@ -63,7 +63,8 @@ inline constexpr float touch_radius_px = 11.f;
 inline constexpr float hover_radius_px = 13.f;
 inline constexpr float ring_px = 3.f;
 
-/// Of the view's width: about a fingertip at a metre.
-inline constexpr float stroke_width_of_view = 0.0135f;
+/// On the surface. The second is about a fingertip.
+inline constexpr std::array<float, 3> stroke_widths_mm{6.f, 14.7f, 34.f};
+inline constexpr float eraser_growth = 2.2f;  ///< of the stroke's width
 
 }  // namespace touchstone::style

@@ -5,14 +5,24 @@
 
 namespace touchstone {
 
-SurfaceCompositor::SurfaceCompositor() : program_(make_program("surface")) {
-    nothing_.upload(std::array<std::uint8_t, 4>{});
-    program_.use();
-    glUniform1i(program_.uniform("u_view"), 0);
-    glUniform1i(program_.uniform("u_layer"), 1);
-    glUniform1i(program_.uniform("u_overlay"), 2);
-    glUniform3f(program_.uniform("u_backdrop"), style::backdrop.r / 255.f, style::backdrop.g / 255.f,
-                style::backdrop.b / 255.f);
+namespace {
+
+constexpr std::array<std::string_view, 2> macros{"HAS_LAYER", "HAS_OVERLAY"};
+
+}  // namespace
+
+SurfaceCompositor::SurfaceCompositor()
+    : programs_{make_program("surface"), make_program("surface", "surface", std::span(macros).first(1)),
+                make_program("surface", "surface", std::span(macros).last(1)),
+                make_program("surface", "surface", macros)} {
+    for (const GlProgram& program : programs_) {
+        program.use();
+        glUniform1i(program.uniform("u_view"), 0);
+        glUniform1i(program.uniform("u_layer"), 1);
+        glUniform1i(program.uniform("u_overlay"), 2);
+        glUniform3f(program.uniform("u_backdrop"), style::backdrop.r / 255.f, style::backdrop.g / 255.f,
+                    style::backdrop.b / 255.f);
+    }
 }
 
 void SurfaceCompositor::set_view(const std::shared_ptr<const ShadedView>& view) {
@@ -28,15 +38,16 @@ void SurfaceCompositor::draw(const Layout& layout, PixelSize display, const GlTe
     const DisplayRect& rect = layout.view.rect;
     const auto across = [&](float x_px) { return 2.f * x_px / static_cast<float>(display.width_px) - 1.f; };
     const auto down = [&](float y_px) { return 1.f - 2.f * y_px / static_cast<float>(display.height_px); };
-    program_.use();
-    glUniform4f(program_.uniform("u_rect"), across(rect.min_px.x()), down(rect.min_px.y()),
+    const GlProgram& program = programs_[(layer ? 1U : 0U) + (overlay ? 2U : 0U)];
+    program.use();
+    glUniform4f(program.uniform("u_rect"), across(rect.min_px.x()), down(rect.min_px.y()),
                 across(rect.max_px.x()), down(rect.max_px.y()));
-    glUniform2f(program_.uniform("u_half_size_px"), 0.5f * rect.size_px().x(), 0.5f * rect.size_px().y());
-    glUniform1f(program_.uniform("u_corner_px"), style::corner_px * layout.scale);
-    glUniform1f(program_.uniform("u_brightness"), brightness);
+    glUniform2f(program.uniform("u_half_size_px"), 0.5f * rect.size_px().x(), 0.5f * rect.size_px().y());
+    glUniform1f(program.uniform("u_corner_px"), style::corner_px * layout.scale);
+    glUniform1f(program.uniform("u_brightness"), brightness);
     view_->bind(0);
-    (layer ? *layer : nothing_).bind(1);
-    (overlay ? *overlay : nothing_).bind(2);
+    if (layer) layer->bind(1);
+    if (overlay) overlay->bind(2);
     glBindVertexArray(vertex_array_.id());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glBindVertexArray(0);

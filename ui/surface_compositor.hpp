@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -26,9 +27,8 @@ class SurfaceCompositor {
               float brightness);
 
   private:
-    GlProgram program_;
+    std::array<GlProgram, 4> programs_;  // bare, with a layer, with an overlay, with both
     GlVertexArrayHandle vertex_array_{new_gl_vertex_array()};
-    GlTexture nothing_{PixelSize{1, 1}};
     std::optional<GlTexture> view_;
     std::shared_ptr<const ShadedView> shown_;  // held, so that a new view cannot have the address of this one
 };

@@ -1,20 +1,28 @@
 #include "ui/table_presenter.hpp"
 
+#include <algorithm>
+#include <set>
+
+#include "ui/canvas_fade.hpp"
 #include "ui/canvas_renderer.hpp"
 #include "ui/cross_guide.hpp"
 #include "ui/finger_marks.hpp"
+#include "ui/idle_watch.hpp"
 #include "ui/layout.hpp"
 #include "ui/scene_list.hpp"
+#include "ui/scenes/attract.hpp"
 #include "ui/scenes/scan_progress.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/surface_compositor.hpp"
+#include "ui/touch_menu.hpp"
 
 namespace touchstone {
 
 namespace {
 
 constexpr PixelSize size_before_first_view{640, 480};
-constexpr float brightness_while_waiting = 0.75f;
+constexpr float brightness_while_waiting = 0.75f, brightness_while_idle = 0.5f;
+constexpr float fall_idle_s = 2.f, wake_s = 0.3f;
 
 void draw_area(Canvas& canvas, const ViewMapping& view, const std::array<Eigen::Vector2f, 4>& area_px) {
     for (std::size_t i = 0; i < area_px.size(); ++i)
@@ -29,19 +37,31 @@ void draw_empty_view(Canvas& canvas, const DisplayRect& rect) {
 }  // namespace
 
 struct TablePresenter::Parts {
+    std::string scene_name;
     std::unique_ptr<Scene> scene;
+    std::optional<TouchMenu> menu;
+    IdleWatch idle{0.f};
+    AttractScene attract;
+    float idle_share = 0.f;         // 0..1 while it comes and goes
+    std::set<int> ignored_fingers;  // until they go up
     SurfaceCompositor compositor;
     Canvas canvas;
     CanvasRenderer canvas_renderer;
     FingerMarks fingers;
+    SurfaceGeometry surface;
+    Layout layout;
     PixelSize view_size{};
     bool scanning = false;
 };
 
-TablePresenter::TablePresenter(Display& display, const std::string& scene_name) : display_(display) {
-    auto scene = make_scene(scene_name);
+TablePresenter::TablePresenter(Display& display, const std::string& scene_name, const PresenterConfig& config)
+    : display_(display), config_(config) {
+    auto scene = make_scene(scene_name, config.scenes);
     parts_ = std::make_unique<Parts>();
     parts_->scene = std::move(scene);
+    parts_->scene_name = scene_name;
+    if (config.menu) parts_->menu.emplace(scene_names());
+    parts_->idle = IdleWatch(config.attract_after_s);
 }
 
 TablePresenter::~TablePresenter() = default;
@@ -51,38 +71,91 @@ void TablePresenter::present(const TableFrame& frame, float dt_s) {
     if (frame.index != last_index_ || frame.timestamp_us != last_timestamp_us_) take_in(frame);
     last_index_ = frame.index;
     last_timestamp_us_ = frame.timestamp_us;
-    parts_->scene->update(dt_s);
+    update(dt_s);
     draw(frame);
     display_.present();
 }
 
 SceneWish TablePresenter::wish() const { return parts_->scene->wish(); }
 
+const std::string& TablePresenter::scene_name() const { return parts_->scene_name; }
+
 void TablePresenter::take_in(const TableFrame& frame) {
     Parts& p = *parts_;
     p.compositor.set_view(frame.view);
-    const PixelSize view_size =
-        frame.view ? PixelSize{frame.view->width_px, frame.view->height_px} : p.view_size;
-    const bool scanning = frame.state == "scanning";
-    const bool scan_begins = scanning && !p.scanning;
-    if (view_size != p.view_size || (scan_begins && view_size.width_px > 0)) p.scene->start(view_size);
-    p.view_size = view_size;
-    p.scanning = scanning;
+    start_scene(frame);
+    p.surface = SurfaceGeometry(frame, p.view_size);
     p.scene->show(frame);
+    p.attract.show(frame);
+    if (p.menu) p.menu->update(frame.timestamp_us);
+    const bool slept = p.idle.is_idle();
+    p.idle.see(frame);
     for (const TouchEvent& event : frame.touches) {
-        if (!frame.cross) p.scene->on_touch(event);
+        if (slept && event.phase == TouchPhase::down) p.ignored_fingers.insert(event.tip.id);
+        if (!frame.cross) deliver(event);
         p.fingers.on_touch(event);
     }
     p.scene->on_hovers(frame.hovers);
     p.fingers.on_hovers(frame.hovers);
     if (is_waiting_state(frame)) lift_all_fingers();
+    if (!p.menu) return;
+    if (p.idle.is_idle()) p.menu->close();
+    if (const auto chosen = p.menu->update(frame.timestamp_us)) change_scene(*chosen, frame);
+}
+
+void TablePresenter::start_scene(const TableFrame& frame) {
+    Parts& p = *parts_;
+    const PixelSize view_size =
+        frame.view ? PixelSize{frame.view->width_px, frame.view->height_px} : p.view_size;
+    const bool scanning = frame.state == "scanning";
+    const bool scan_begins = scanning && !p.scanning;
+    if (view_size != p.view_size || (scan_begins && view_size.width_px > 0)) {
+        p.scene->start(view_size);
+        p.attract.start(view_size);
+    }
+    p.view_size = view_size;
+    p.scanning = scanning;
+}
+
+/// To whom the finger belongs.
+void TablePresenter::deliver(const TouchEvent& event) {
+    Parts& p = *parts_;
+    if (p.ignored_fingers.contains(event.tip.id)) {
+        if (event.phase == TouchPhase::up) p.ignored_fingers.erase(event.tip.id);
+        return;
+    }
+    if (!p.menu || !p.menu->on_touch(event)) p.scene->on_touch(event);
+}
+
+/// The old scene is gone before the new one is there. Fingers on the surface do nothing in the new one.
+void TablePresenter::change_scene(const std::string& name, const TableFrame& frame) {
+    Parts& p = *parts_;
+    if (name == p.scene_name) return;
+    p.scene.reset();
+    p.scene = make_scene(name, config_.scenes);
+    p.scene_name = name;
+    if (p.view_size.width_px > 0) p.scene->start(p.view_size);
+    p.scene->show(frame);
+    for (const int id : p.fingers.touching_ids()) p.ignored_fingers.insert(id);
 }
 
 /// While nobody can touch, no `up` may come for a finger that was down.
 void TablePresenter::lift_all_fingers() {
-    for (const auto& [id, tip] : parts_->fingers.touching()) parts_->scene->on_touch({tip, TouchPhase::up});
-    parts_->scene->on_hovers({});
-    parts_->fingers.clear();
+    Parts& p = *parts_;
+    for (const auto& [id, tip] : p.fingers.touching()) deliver({tip, TouchPhase::up});
+    p.scene->on_hovers({});
+    p.fingers.clear();
+    p.ignored_fingers.clear();
+    if (p.menu) p.menu->close();
+}
+
+void TablePresenter::update(float dt_s) {
+    Parts& p = *parts_;
+    p.scene->update(dt_s);
+    const bool attracts = p.idle.is_idle() && p.scene_name != "attract";
+    p.idle_share += attracts ? dt_s / fall_idle_s : -dt_s / wake_s;
+    p.idle_share = std::clamp(p.idle_share, 0.f, 1.f);
+    if (p.idle_share > 0.f) p.attract.update(dt_s);
 }
 
 void TablePresenter::draw(const TableFrame& frame) {
@@ -91,29 +164,41 @@ void TablePresenter::draw(const TableFrame& frame) {
     const PixelSize display = display_.size_px();
     const bool waiting = is_waiting_state(frame);
     const bool has_view = p.compositor.has_view();
-    const Layout layout = make_layout(display, has_view ? p.view_size : size_before_first_view);
+    p.layout = make_layout(display, has_view ? p.view_size : size_before_first_view);
 
     glClearColor(style::backdrop.r / 255.f, style::backdrop.g / 255.f, style::backdrop.b / 255.f, 1.f);
     glClear(GL_COLOR_BUFFER_BIT);
+    const float awake = waiting ? brightness_while_waiting : 1.f;
     if (has_view)
-        p.compositor.draw(layout, display, p.scene->surface_layer(), p.scene->overlay_layer(),
-                          waiting ? brightness_while_waiting : 1.f);
-
+        p.compositor.draw(p.layout, display, p.scene->surface_layer(), p.scene->overlay_layer(),
+                          awake + p.idle_share * (brightness_while_idle - awake));
     Canvas& canvas = p.canvas;
-    canvas.begin({static_cast<float>(display.width_px), static_cast<float>(display.height_px)}, layout.scale);
-    if (!has_view) draw_empty_view(canvas, layout.view.rect);
-    if (frame.has_area) draw_area(canvas, layout.view, frame.area_px);
-    if (waiting) {
-        draw_scan_progress(canvas, layout.view.rect, frame, clock_s_);
-    } else {
-        p.scene->draw(canvas, layout.view);
-        p.fingers.draw(canvas, layout.view);
-        if (frame.cross) draw_cross_guide(canvas, layout.view, *frame.cross);
+    canvas.begin({static_cast<float>(display.width_px), static_cast<float>(display.height_px)},
+                 p.layout.scale);
+    if (!has_view) draw_empty_view(canvas, p.layout.view.rect);
+    draw_scene(frame);
+    if (p.idle_share > 0.f) {
+        fade(canvas, 1.f - p.idle_share);
+        p.attract.draw(canvas, p.layout.view, p.idle_share);
     }
-    draw_status_panel(canvas, layout,
+    p.canvas_renderer.draw(canvas);
+}
+
+void TablePresenter::draw_scene(const TableFrame& frame) {
+    Parts& p = *parts_;
+    const ViewMapping& view = p.layout.view;
+    if (frame.has_area) draw_area(p.canvas, view, frame.area_px);
+    if (is_waiting_state(frame)) {
+        draw_scan_progress(p.canvas, view.rect, frame, clock_s_);
+    } else {
+        p.scene->draw(p.canvas, view);
+        if (p.menu && !frame.cross) p.menu->draw(p.canvas, view, p.surface, p.scene_name);
+        p.fingers.draw(p.canvas, view);
+        if (frame.cross) draw_cross_guide(p.canvas, view, *frame.cross);
+    }
+    draw_status_panel(p.canvas, p.layout,
                       status_words(frame, frame.cross ? "Touch the crosses" : p.scene->invitation(),
                                    p.fingers.touching_ids()));
-    p.canvas_renderer.draw(canvas);
 }
 
 }  // namespace touchstone

@@ -5,16 +5,24 @@
 #include <string>
 
 #include "platform/display/display.hpp"
+#include "ui/scene_setup.hpp"
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
 
-/// Draws the table on a display: the shaded view, a scene, fingers, and the words about it. Lives on the
-/// display's thread and dies before the display.
+struct PresenterConfig {
+    bool menu = true;              ///< scenes are changed by touch
+    float attract_after_s = 60.f;  ///< without touch or hover; 0: never
+    SceneSetup scenes;
+};
+
+/// Draws the table on a display: the shaded view, a scene, fingers, and the words about it. Where nobody
+/// comes it attracts people, over the scene that waits for them. Lives on the display's thread and dies
+/// before the display.
 class TablePresenter {
   public:
     /// Throws Error{usage} for an unknown scene, Error{unavailable} when fonts or shaders fail.
-    TablePresenter(Display& display, const std::string& scene_name);
+    TablePresenter(Display& display, const std::string& scene_name, const PresenterConfig& config = {});
     ~TablePresenter();
 
     /// Takes the frame in, unless it was the last one presented, draws, and shows it. Afterwards the
@@ -22,15 +30,22 @@ class TablePresenter {
     void present(const TableFrame& frame, float dt_s);
     /// What the scene needs from the perception loop.
     SceneWish wish() const;
+    const std::string& scene_name() const;
 
   private:
     struct Parts;
 
     void take_in(const TableFrame& frame);
+    void start_scene(const TableFrame& frame);
+    void deliver(const TouchEvent& event);
+    void change_scene(const std::string& name, const TableFrame& frame);
     void lift_all_fingers();
+    void update(float dt_s);
     void draw(const TableFrame& frame);
+    void draw_scene(const TableFrame& frame);
 
     Display& display_;
+    PresenterConfig config_;
     std::unique_ptr<Parts> parts_;
     int last_index_ = -1;
     std::uint64_t last_timestamp_us_ = 0;

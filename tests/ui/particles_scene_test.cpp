@@ -4,7 +4,9 @@
 
 #include "picture_probe.hpp"
 #include "platform/display/headless_display.hpp"
+#include "scene_fixture.hpp"
 #include "ui/layout.hpp"
+#include "ui/scenes/particles.hpp"
 #include "ui/table_presenter.hpp"
 
 namespace touchstone {
@@ -94,6 +96,53 @@ TEST_F(ParticlesSceneTest, TheNearerCoversTheFarther) {
     particles_.spheres.erase(particles_.spheres.begin());
     EXPECT_EQ(shown_at(middle_px_), both);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+class ParticleToolsTest : public SceneFixture {
+  protected:
+    ParticleToolsTest() {
+        open("particles");
+        const SurfaceGeometry surface(frame_, view_size);
+        pad_.lay_out(surface);
+        reset_ = surface.bottom_row(20.f).center();
+    }
+    TiltPad pad_;
+    Eigen::Vector2f reset_;
+};
+
+TEST_F(ParticleToolsTest, TheButtonClearsOnceForEachTouch) {
+    EXPECT_EQ(presenter_->wish().particles_cleared, 0);
+    tap(reset_);
+    EXPECT_EQ(presenter_->wish().particles_cleared, 1);
+    pass(0.3f);
+    tap(reset_);
+    EXPECT_EQ(presenter_->wish().particles_cleared, 2);
+    tap({160.f, 120.f});
+    EXPECT_EQ(presenter_->wish().particles_cleared, 2);
+}
+
+TEST_F(ParticleToolsTest, TheKnobTiltsAlongTheAreaAndSpringsBack) {
+    const Eigen::Vector2f right = pad_.center_px() + Eigen::Vector2f(pad_.radius_px(), 0.f);
+    present({touch(1, TouchPhase::down, pad_.center_px())});
+    EXPECT_LT(presenter_->wish().tilt.norm(), 0.01f);
+    present({touch(1, TouchPhase::move, right)});
+    EXPECT_NEAR(presenter_->wish().tilt.x(), ParticlesScene::most_tilt, 1e-3f);
+    EXPECT_NEAR(presenter_->wish().tilt.y(), 0.f, 1e-3f);
+    present({touch(1, TouchPhase::move, {0.f, pad_.center_px().y()})});
+    EXPECT_NEAR(presenter_->wish().tilt.x(), -ParticlesScene::most_tilt, 1e-3f) << "no farther";
+    present({touch(1, TouchPhase::up, right)});
+    pass(0.1f);
+    EXPECT_LT(presenter_->wish().tilt.norm(), ParticlesScene::most_tilt);
+    pass(1.5f);
+    EXPECT_EQ(presenter_->wish().tilt, Eigen::Vector2f(0.f, 0.f));
+}
+
+TEST_F(ParticleToolsTest, ThePadIsLargeEnoughForAFingerAndInTheArea) {
+    const SurfaceGeometry surface(frame_, view_size);
+    EXPECT_GE(2.f * pad_.radius_px() * surface.mm_per_px(pad_.center_px()), 16.f);
+    const Eigen::Vector2f half = Eigen::Vector2f::Constant(pad_.radius_px());
+    EXPECT_TRUE(
+        surface.room().contains(Eigen::AlignedBox2f(pad_.center_px() - half, pad_.center_px() + half)));
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ float turn_rad(const Vector2f& before, const Vector2f& after) {
 TEST(StrokePath, TapIsOneDot) {
     std::vector<StrokePiece> pieces;
     StrokePath path({10.f, 20.f}, pieces);
-    path.finish({10.f, 20.f}, pieces);
+    path.move({10.f, 20.f}, pieces);
+    path.finish(pieces);
     ASSERT_EQ(pieces.size(), 1U);
     EXPECT_EQ(pieces[0].a_px, Vector2f(10.f, 20.f));
     EXPECT_EQ(pieces[0].b_px, Vector2f(10.f, 20.f));
@@ -34,7 +35,8 @@ TEST(StrokePath, StraightMoveIsAConnectedLineFromStartToEnd) {
     std::vector<StrokePiece> pieces;
     StrokePath path({0.f, 5.f}, pieces);
     for (int i = 1; i <= 4; ++i) path.move({static_cast<float>(10 * i), 5.f}, pieces);
-    path.finish({47.f, 5.f}, pieces);
+    path.move({47.f, 5.f}, pieces);
+    path.finish(pieces);
     Vector2f end(0.f, 5.f);
     for (const StrokePiece& piece : pieces) {
         EXPECT_LT((piece.a_px - end).norm(), 1e-4f);
@@ -50,7 +52,8 @@ TEST(StrokePath, CornersAreRounded) {
     StrokePath path({0.f, 0.f}, pieces);
     path.move({30.f, 0.f}, pieces);
     path.move({30.f, 30.f}, pieces);  // a right angle
-    path.finish({30.f, 60.f}, pieces);
+    path.move({30.f, 60.f}, pieces);
+    path.finish(pieces);
     float sharpest_rad = 0.f;
     for (std::size_t i = 2; i < pieces.size(); ++i)
         sharpest_rad = std::max(

@@ -84,7 +84,8 @@ class TablePresenterTest : public testing::Test {
     }
 
     const ViewMapping mapping_ = make_layout(display_size, view_size).view;
-    const float stroke_radius_px_ = 0.5f * style::stroke_width_of_view * view_size.width_px;  // of the view
+    /// Of the depth picture, whose width is taken to be 1088 mm while a frame does not tell.
+    const float stroke_radius_px_ = 0.5f * style::stroke_widths_mm[1] / 1088.f * view_size.width_px;
     std::unique_ptr<Display> display_ = make_headless_display(display_size);
     TablePresenter presenter_{*display_, "paint"};
     TableFrame frame_;
@@ -102,7 +103,8 @@ TEST_F(TablePresenterTest, StrokeHasThePaletteColourAlongItsLineAndNowhereElse) 
     int strays = 0;
     for_each_difference(before, after, tolerance, [&](int x, int y) {
         const Vector2f place = mapping_.to_view({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-        if (distance_to_line(place, a, b) > stroke_radius_px_ + 1.f) ++strays;
+        const bool is_in_tools = place.y() > 200.f;  // undo can be touched now
+        if (!is_in_tools && distance_to_line(place, a, b) > stroke_radius_px_ + 1.f) ++strays;
     });
     EXPECT_EQ(strays, 0);
 }

@@ -22,7 +22,7 @@ void main() {
     v_a_px = a;
     v_along_px = along;
     v_color = a_color;
-    v_at_px = a + along * end + forward * (2.0 * end - 1.0) * reach + side * (2.0 * float(gl_VertexID >> 1) - 1.0) * reach;
+    v_at_px = a + along * end + forward * (2.0 * end - 1.0) * reach + side * (2.0 * float(gl_VertexID >> 1 & 1) - 1.0) * reach;
     // Row 0 of the layer is its top: no flip here.
     gl_Position = vec4(2.0 * v_at_px / u_layer_size_px - 1.0, 0.0, 1.0);
 }

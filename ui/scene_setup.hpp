@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "platform/display/picture.hpp"
+
+namespace touchstone {
+
+/// Pictures one by one. Alpha is not looked at.
+struct PictureStream {
+    int count = 0;                                 ///< at most so many
+    std::function<std::optional<Picture>()> next;  ///< none after the last
+};
+
+/// What scenes are made with.
+struct SceneSetup {
+    std::string painting_file;                   ///< empty: the painting is not kept
+    std::string photo_folder;                    ///< for people to read; may be empty
+    std::function<PictureStream()> open_photos;  ///< may be empty: no pictures
+};
+
+}  // namespace touchstone
