@@ -128,6 +128,42 @@ void draw_clear(const Pen& pen) {
     for (const float x : {-0.09f, 0.09f}) pen.line({x, -0.08f}, {x, 0.28f});
 }
 
+void draw_shaded(const Pen& pen) {
+    pen.disc(0.f, 0.f, 0.42f);
+    Pen shine = pen;
+    shine.color = style::card;
+    shine.arc(0.f, 0.f, 0.26f, 0.72f, 0.95f);
+}
+
+/// Arrows that stand on a curved surface.
+void draw_normals(const Pen& pen) {
+    pen.arc(0.f, 0.62f, 0.56f, -0.14f, 0.14f);
+    for (const float turn : {-0.11f, 0.f, 0.11f}) {
+        const float angle = 2.f * std::numbers::pi_v<float> * turn;
+        const Vector2f out(std::sin(angle), -std::cos(angle)), across(-out.y(), out.x());
+        const Vector2f foot = Vector2f(0.f, 0.62f) + 0.6f * out, tip = foot + 0.46f * out;
+        pen.line(foot, tip);
+        const std::array head{Vector2f(tip + 0.06f * out), Vector2f(tip - 0.12f * out + 0.12f * across),
+                              Vector2f(tip - 0.12f * out - 0.12f * across)};
+        pen.fill(head);
+    }
+}
+
+void draw_hand(const Pen& pen) {
+    Pen thick = pen;
+    thick.width_px *= 1.5f;
+    const std::array tips{Vector2f(-0.22f, -0.26f), Vector2f(-0.05f, -0.42f), Vector2f(0.12f, -0.38f),
+                          Vector2f(0.28f, -0.2f)};
+    for (const Vector2f& tip : tips) {
+        const Vector2f root(0.75f * tip.x(), 0.12f);
+        thick.line(root, tip);
+        thick.disc(tip.x(), tip.y(), 0.062f);
+    }
+    thick.line({-0.1f, 0.3f}, {-0.4f, 0.06f});
+    thick.disc(-0.4f, 0.06f, 0.062f);
+    pen.disc(0.02f, 0.24f, 0.24f);
+}
+
 }  // namespace
 
 Icon scene_icon(std::string_view scene_name) {
@@ -173,6 +209,12 @@ void draw_icon(Canvas& canvas, Icon icon, const Vector2f& center_px, float side_
             return draw_undo(pen);
         case Icon::clear:
             return draw_clear(pen);
+        case Icon::shaded:
+            return draw_shaded(pen);
+        case Icon::normals:
+            return draw_normals(pen);
+        case Icon::hand:
+            return draw_hand(pen);
     }
 }
 

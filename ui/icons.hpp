@@ -21,6 +21,9 @@ enum class Icon {
     width,
     undo,
     clear,
+    shaded,
+    normals,
+    hand,
 };
 
 Icon scene_icon(std::string_view scene_name);

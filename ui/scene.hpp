@@ -36,6 +36,8 @@ class Scene {
     virtual const GlTexture* surface_layer() const = 0;
     /// The same over the view, hands too: who draws it looks after what is hidden.
     virtual const GlTexture* overlay_layer() const { return nullptr; }
+    /// Its overlay shows another view than the camera's: what marks places on the table would lie wrong.
+    virtual bool hides_table() const { return false; }
     /// What it needs from the perception loop from now on.
     virtual SceneWish wish() const { return {}; }
     /// What lies over everything.

@@ -5,6 +5,7 @@
 
 #include "platform/system/error.hpp"
 #include "ui/scenes/attract.hpp"
+#include "ui/scenes/inspect.hpp"
 #include "ui/scenes/paint.hpp"
 #include "ui/scenes/particles.hpp"
 #include "ui/scenes/photos.hpp"
@@ -31,6 +32,7 @@ constexpr std::array rows{
     SceneRow{"paint", make<PaintScene>},
     SceneRow{"particles", make<ParticlesScene>},
     SceneRow{"photos", make<PhotosScene>},
+    SceneRow{"inspect", make<InspectScene>},
     SceneRow{"attract", make<AttractScene>},
 };
 

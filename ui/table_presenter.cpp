@@ -187,7 +187,7 @@ void TablePresenter::draw(const TableFrame& frame) {
 void TablePresenter::draw_scene(const TableFrame& frame) {
     Parts& p = *parts_;
     const ViewMapping& view = p.layout.view;
-    if (frame.has_area) draw_area(p.canvas, view, frame.area_px);
+    if (frame.has_area && !p.scene->hides_table()) draw_area(p.canvas, view, frame.area_px);
     if (is_waiting_state(frame)) {
         draw_scan_progress(p.canvas, view.rect, frame, clock_s_);
     } else {
