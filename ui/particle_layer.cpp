@@ -1,5 +1,7 @@
 #include "ui/particle_layer.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "ui/shader.hpp"
@@ -9,47 +11,34 @@ namespace touchstone {
 
 namespace {
 
-constexpr int layer_px_per_view_px = 2;
+constexpr int shadow_step_px = 2;
 constexpr float shadow_radii = 1.7f;  // of a sphere: soft
 constexpr float darkest = 0.5f;
 constexpr int ids_per_color = 7;  // poured together, in one colour
 
-std::array<float, 4> disc_of(const Intrinsics& k, const Eigen::Vector3f& middle_c_m, float radius_m,
-                             float px_per_view_px) {
+/// Middle and radius in pixels of the view, whose left edge is 0, and depth in metres.
+std::array<float, 4> disc_of(const Intrinsics& k, const Eigen::Vector3f& middle_c_m, float radius_m) {
     const float z_m = middle_c_m.z();
-    return {px_per_view_px * (k.fx_px * middle_c_m.x() / z_m + k.cx_px + 0.5f),
-            px_per_view_px * (k.fy_px * middle_c_m.y() / z_m + k.cy_px + 0.5f),
-            px_per_view_px * k.fx_px * radius_m / z_m, z_m};
-}
-
-void set_size(const GlProgram& program, PixelSize size, float px_per_view_px) {
-    program.use();
-    glUniform2f(program.uniform("u_layer_size_px"), static_cast<float>(size.width_px),
-                static_cast<float>(size.height_px));
-    glUniform1f(program.uniform("u_real_px_per_px"), 1.0f / px_per_view_px);
-    glUniform1i(program.uniform("u_real"), 0);
-}
-
-void clear(const GlFramebuffer& picture) {
-    picture.bind();
-    glClearColor(0.f, 0.f, 0.f, 0.f);
-    glClear(GL_COLOR_BUFFER_BIT);
+    return {k.fx_px * middle_c_m.x() / z_m + k.cx_px + 0.5f, k.fy_px * middle_c_m.y() / z_m + k.cy_px + 0.5f,
+            k.fx_px * radius_m / z_m, z_m};
 }
 
 }  // namespace
 
 ParticleLayer::ParticleLayer(PixelSize view)
-    : spheres_program_(make_program("particle")),
-      shadows_program_(make_program("particle", "particle_shadow", {})),
-      picture_({view.width_px * layer_px_per_view_px, view.height_px * layer_px_per_view_px}),
-      shadow_picture_(view),
-      real_(view) {
-    set_size(spheres_program_, picture_.size_px(), layer_px_per_view_px);
-    glUniform3f(spheres_program_.uniform("u_light"), -0.45f, -0.60f, 0.66f);
-    set_size(shadows_program_, view, 1.0f);
+    : program_(make_program("particle")),
+      picture_(view),
+      real_(view),
+      shadows_({view.width_px / shadow_step_px, view.height_px / shadow_step_px}) {
+    program_.use();
+    glUniform2f(program_.uniform("u_layer_size_px"), static_cast<float>(view.width_px),
+                static_cast<float>(view.height_px));
+    glUniform1i(program_.uniform("u_real"), 0);
+    glUniform3f(program_.uniform("u_light"), -0.45f, -0.60f, 0.66f);
     draw(nullptr);
 }
 
+/// In all four bytes: a software GL reads those faster than two.
 void ParticleLayer::upload_depth(const ParticleView& particles) {
     constexpr std::uint32_t opaque = 0xff000000U;  // bytes r, g, b, a; the depth in r and g
     texels_.resize(particles.depth_mm.size() * sizeof opaque);
@@ -60,40 +49,65 @@ void ParticleLayer::upload_depth(const ParticleView& particles) {
     real_.upload(texels_);
 }
 
-void ParticleLayer::list(const ParticleView& particles) {
-    shadows_.clear();
+void ParticleLayer::list_spheres(const ParticleView& particles) {
     spheres_.clear();
     for (const ParticleSphere& sphere : particles.spheres) {
-        if (sphere.shadow <= 0.0f || sphere.shadow_c_m.z() <= 0.0f) continue;
-        const style::Color shade = style::shadow.faded(darkest * sphere.shadow);
-        shadows_.push_back(
-            {disc_of(particles.intrinsics, sphere.shadow_c_m, shadow_radii * particles.radius_m, 1.0f),
-             shade.packed()});
-    }
-    for (const ParticleSphere& sphere : particles.spheres) {
         if (sphere.centre_c_m.z() <= 0.0f) continue;
-        spheres_.push_back(
-            {disc_of(particles.intrinsics, sphere.centre_c_m, particles.radius_m, layer_px_per_view_px),
-             style::finger_color(sphere.id / ids_per_color).packed()});
+        spheres_.push_back({disc_of(particles.intrinsics, sphere.centre_c_m, particles.radius_m),
+                            style::finger_color(sphere.id / ids_per_color).packed()});
     }
 }
 
-void ParticleLayer::draw(const ParticleView* particles) {
-    clear(shadow_picture_);
-    clear(picture_);
-    if (particles == nullptr || particles->spheres.empty()) return;
-    upload_depth(*particles);
-    list(*particles);
-    real_.bind(0);
-    const auto draw_into = [&](const GlFramebuffer& picture, const GlProgram& program,
-                               std::span<const QuadInstance> points) {
-        picture.bind();
-        program.use();
-        glUniform1f(program.uniform("u_radius_m"), particles->radius_m);
-        quads_.draw_points(points);
+/// Soft, and not on what is above the surface.
+void ParticleLayer::darken(const ParticleView& particles, const ParticleSphere& sphere) {
+    const PixelSize size = shadows_.size_px();
+    const auto disc = disc_of(particles.intrinsics, sphere.shadow_c_m, shadow_radii * particles.radius_m);
+    const float x = disc[0] / shadow_step_px, y = disc[1] / shadow_step_px, radius = disc[2] / shadow_step_px;
+    const auto first = [](float from) { return std::max(0, static_cast<int>(std::floor(from))); };
+    const auto last = [](float to, int size_px) {
+        return std::min(size_px - 1, static_cast<int>(std::ceil(to)));
     };
-    draw_into(shadow_picture_, shadows_program_, shadows_);
-    draw_into(picture_, spheres_program_, spheres_);
+    const float lifted_mm = 1000.0f * (sphere.shadow_c_m.z() - 2.0f * particles.radius_m);
+    for (int v = first(y - radius); v <= last(y + radius, size.height_px); ++v) {
+        for (int u = first(x - radius); u <= last(x + radius, size.width_px); ++u) {
+            const float dx = static_cast<float>(u) + 0.5f - x, dy = static_cast<float>(v) + 0.5f - y;
+            const float soft = 1.0f - (dx * dx + dy * dy) / (radius * radius);
+            const auto real = static_cast<std::size_t>(shadow_step_px * v * particles.intrinsics.width_px +
+                                                       shadow_step_px * u);
+            const float real_mm = particles.depth_mm[real];
+            if (soft <= 0.0f || (real_mm > 0.0f && real_mm < lifted_mm)) continue;
+            std::uint8_t& alpha = shadow_texels_[4 * static_cast<std::size_t>(v * size.width_px + u) + 3];
+            const float left = (255.0f - static_cast<float>(alpha)) * (1.0f - darkest * sphere.shadow * soft);
+            alpha = static_cast<std::uint8_t>(255.0f - left);
+        }
+    }
+}
+
+void ParticleLayer::draw_shadows(const ParticleView* particles) {
+    const PixelSize size = shadows_.size_px();
+    shadow_texels_.assign(4 * static_cast<std::size_t>(size.width_px * size.height_px), 0);
+    if (particles != nullptr) {
+        for (const ParticleSphere& sphere : particles->spheres)
+            if (sphere.shadow > 0.0f && sphere.shadow_c_m.z() > 0.0f) darken(*particles, sphere);
+    }
+    shadows_.upload(shadow_texels_);
+}
+
+void ParticleLayer::draw(const ParticleView* particles) {
+    const bool fits = particles != nullptr && particles->intrinsics.width_px == picture_.size_px().width_px &&
+                      particles->intrinsics.height_px == picture_.size_px().height_px;
+    draw_shadows(fits ? particles : nullptr);
+    picture_.bind();
+    glClearColor(0.f, 0.f, 0.f, 0.f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (!fits || particles->spheres.empty()) return;
+    upload_depth(*particles);
+    list_spheres(*particles);
+    real_.bind(0);
+    picture_.bind();
+    program_.use();
+    glUniform1f(program_.uniform("u_radius_m"), particles->radius_m);
+    quads_.draw_points(spheres_);
 }
 
 }  // namespace touchstone

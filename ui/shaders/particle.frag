@@ -2,7 +2,6 @@
 precision highp float;
 
 uniform highp sampler2D u_real;  // millimetres of the nearest real surface: red + 256 green; 0 unknown
-uniform float u_real_px_per_px;
 uniform float u_radius_m;
 uniform vec3 u_light;  // towards the light, y down, z towards the camera
 
@@ -14,7 +13,7 @@ out vec4 color;
 const float surface_noise_m = 0.004;
 
 float real_m() {
-    vec2 bytes = texelFetch(u_real, ivec2(gl_FragCoord.xy * u_real_px_per_px), 0).rg;
+    vec2 bytes = texelFetch(u_real, ivec2(gl_FragCoord.xy), 0).rg;
     return dot(bytes, vec2(0.255, 65.28));
 }
 
