@@ -154,6 +154,8 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("attract_after_s", config.display.attract_after_s, 0, 86400,
              "without touch or hover, until the table asks to be touched; 0: never");
     keys.add("painting_file", config.display.painting_file, "keeps what is painted; empty: it is lost");
+    keys.add("model", config.display.model,
+             "OBJ, glTF or PLY that stands in the scene mirror; empty: a vase");
     keys.add("photos", config.display.photos, "folder of PNG and JPEG for the scene photos");
     keys.section("particles");
     ParticleTableConfig& particles = config.particles;

@@ -22,6 +22,7 @@ struct DisplayConfig {
     bool menu = true;
     float attract_after_s = 60.0f;  ///< 0: never
     std::string painting_file;      ///< empty: the painting is not kept
+    std::string model;              ///< mesh file of the scene mirror; empty: a vase of the program's own
     std::string photos;             ///< folder; empty: pictures of the program's own
 };
 

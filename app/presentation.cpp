@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "app/model_file.hpp"
 #include "app/photo_folder.hpp"
 #include "platform/display/headless_display.hpp"
 #include "platform/display/sdl_display.hpp"
@@ -26,6 +27,7 @@ PresenterConfig presenter_config(const DisplayConfig& config) {
     presenter.menu = config.menu;
     presenter.attract_after_s = config.attract_after_s;
     presenter.scenes.painting_file = config.painting_file;
+    if (!config.model.empty()) presenter.scenes.model = load_model(config.model);
     presenter.scenes.photo_folder = config.photos;
     if (!config.photos.empty())
         presenter.scenes.open_photos = [folder = config.photos] { return open_photo_folder(folder); };

@@ -6,6 +6,7 @@
 #include "platform/system/error.hpp"
 #include "ui/scenes/attract.hpp"
 #include "ui/scenes/inspect.hpp"
+#include "ui/scenes/mirror.hpp"
 #include "ui/scenes/paint.hpp"
 #include "ui/scenes/particles.hpp"
 #include "ui/scenes/photos.hpp"
@@ -29,11 +30,9 @@ struct SceneRow {
 
 /// In the order of the menu.
 constexpr std::array rows{
-    SceneRow{"paint", make<PaintScene>},
-    SceneRow{"particles", make<ParticlesScene>},
-    SceneRow{"photos", make<PhotosScene>},
-    SceneRow{"inspect", make<InspectScene>},
-    SceneRow{"attract", make<AttractScene>},
+    SceneRow{"paint", make<PaintScene>},     SceneRow{"particles", make<ParticlesScene>},
+    SceneRow{"mirror", make<MirrorScene>},   SceneRow{"photos", make<PhotosScene>},
+    SceneRow{"inspect", make<InspectScene>}, SceneRow{"attract", make<AttractScene>},
 };
 
 }  // namespace

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "platform/display/picture.hpp"
+#include "ui/mesh_model.hpp"
 
 namespace touchstone {
 
@@ -16,6 +18,7 @@ struct PictureStream {
 
 /// What scenes are made with.
 struct SceneSetup {
+    std::shared_ptr<const MeshModel> model;      ///< that stands in the scene mirror; null: its own
     std::string painting_file;                   ///< empty: the painting is not kept
     std::string photo_folder;                    ///< for people to read; may be empty
     std::function<PictureStream()> open_photos;  ///< may be empty: no pictures

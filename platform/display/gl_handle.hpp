@@ -8,6 +8,7 @@ namespace touchstone {
 inline void delete_gl_texture(GLuint id) { glDeleteTextures(1, &id); }
 inline void delete_gl_buffer(GLuint id) { glDeleteBuffers(1, &id); }
 inline void delete_gl_framebuffer(GLuint id) { glDeleteFramebuffers(1, &id); }
+inline void delete_gl_renderbuffer(GLuint id) { glDeleteRenderbuffers(1, &id); }
 inline void delete_gl_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
 inline void delete_gl_shader(GLuint id) { glDeleteShader(id); }
 inline void delete_gl_program(GLuint id) { glDeleteProgram(id); }
@@ -35,6 +36,7 @@ class GlHandle {
 using GlTextureHandle = GlHandle<delete_gl_texture>;
 using GlBufferHandle = GlHandle<delete_gl_buffer>;
 using GlFramebufferHandle = GlHandle<delete_gl_framebuffer>;
+using GlRenderbufferHandle = GlHandle<delete_gl_renderbuffer>;
 using GlVertexArrayHandle = GlHandle<delete_gl_vertex_array>;
 using GlShaderHandle = GlHandle<delete_gl_shader>;
 using GlProgramHandle = GlHandle<delete_gl_program>;
@@ -52,6 +54,11 @@ inline GLuint new_gl_buffer() {
 inline GLuint new_gl_framebuffer() {
     GLuint id = 0;
     glGenFramebuffers(1, &id);
+    return id;
+}
+inline GLuint new_gl_renderbuffer() {
+    GLuint id = 0;
+    glGenRenderbuffers(1, &id);
     return id;
 }
 inline GLuint new_gl_vertex_array() {

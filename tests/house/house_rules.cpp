@@ -50,7 +50,7 @@ std::vector<std::string> allowed_for(const std::string& part) {
     if (part == "pipeline") return {"platform/opencl", "platform/system", "kernels"};
     if (part == "kernels" || part == "platform/system") return {};
     if (part == "platform/openni2_drivers")
-        return {"platform/system", "platform/image", "kernels/shared_types.h"};
+        return {"platform/system", "platform/image", "platform/mesh", "kernels/shared_types.h"};
     // What the drivers and the camera agree on: pace and the custom device properties.
     if (part == "platform/camera")
         return {"platform/system", "platform/openni2_drivers/common", "kernels/shared_types.h"};

@@ -45,8 +45,7 @@ void InspectScene::start(PixelSize view) {
     view_ = view;
     orbit_.reset();
     gestures_.reset();
-    picture_.reset();
-    shown_ = nullptr;
+    picture_.forget();
 }
 
 void InspectScene::show(const TableFrame& frame) {
@@ -61,13 +60,9 @@ void InspectScene::show(const TableFrame& frame) {
         gestures_.emplace(config);
         changed();
     }
-    if (!frame.rendered || frame.rendered == shown_) return;
-    shown_ = frame.rendered;
-    const PixelSize size{shown_->picture.width_px, shown_->picture.height_px};
-    if (!picture_ || picture_->size_px() != size) picture_.emplace(size);
-    picture_->upload(shown_->picture.rgba);
-    if (has_colors_ == shown_->has_colors) return;
-    has_colors_ = shown_->has_colors;
+    picture_.show(frame);
+    if (picture_.view() == nullptr || has_colors_ == picture_.view()->has_colors) return;
+    has_colors_ = picture_.view()->has_colors;
     set_buttons();
 }
 

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "platform/display/gl_texture.hpp"
 #include "ui/button_row.hpp"
 #include "ui/gestures.hpp"
 #include "ui/orbit.hpp"
+#include "ui/rendered_picture.hpp"
 #include "ui/scene.hpp"
 #include "ui/surface_geometry.hpp"
 
@@ -24,7 +24,7 @@ class InspectScene : public Scene {
     void on_hovers(std::span<const HoverEvent>) override {}
     void update(float dt_s) override;
     const GlTexture* surface_layer() const override { return nullptr; }
-    const GlTexture* overlay_layer() const override { return picture_ ? &*picture_ : nullptr; }
+    const GlTexture* overlay_layer() const override { return picture_.texture(); }
     bool hides_table() const override { return true; }
     SceneWish wish() const override;
     void draw(Canvas& canvas, const ViewMapping& view) override;
@@ -43,8 +43,7 @@ class InspectScene : public Scene {
     bool has_colors_ = false;
     int version_ = 1;
     float since_change_s_ = 0.f;
-    std::optional<GlTexture> picture_;
-    std::shared_ptr<const RenderedView> shown_;
+    RenderedPicture picture_;
     std::uint64_t now_us_ = 0;
 };
 

@@ -1,14 +1,10 @@
 #include "platform/openni2_drivers/simulator/object_mesh.hpp"
 
 #include <Eigen/Geometry>
-#include <assimp/Importer.hpp>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <cmath>
-#include <fmt/core.h>
-#include <system_error>
+#include <utility>
 
+#include "platform/mesh/mesh_file.hpp"
 #include "platform/system/error.hpp"
 
 namespace touchstone::sim {
@@ -16,52 +12,12 @@ namespace {
 
 const Vec3 clay(0.72F, 0.62F, 0.50F);
 
-[[noreturn]] void refuse(const std::filesystem::path& path, std::string_view reason) {
-    throw Error(ExitStatus::bad_data, fmt::format("mesh file {}: {}", path.string(), reason));
-}
-
-void append(TriangleMesh& mesh, const aiMesh& part) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (unsigned int i = 0; i < part.mNumVertices; ++i) {
-        const aiVector3D& p = part.mVertices[i];
-        mesh.vertices.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
-    }
-    for (unsigned int i = 0; i < part.mNumFaces; ++i) {
-        const aiFace& face = part.mFaces[i];
-        if (face.mNumIndices != 3) continue;
-        mesh.triangles.push_back(
-            {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
-        mesh.albedo.push_back(clay);
-    }
-}
-
 }  // namespace
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
-    std::error_code code;
-    if (!std::filesystem::exists(path, code))
-        throw Error(ExitStatus::no_input, fmt::format("no mesh file {}", path.string()));
-    if (!std::filesystem::is_regular_file(path, code)) refuse(path, "is not a file");
-    Assimp::Importer importer;
-    // Corners that differ only in what we do not use are one.
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TEXCOORDS |
-                                                            aiComponent_COLORS |
-                                                            aiComponent_TANGENTS_AND_BITANGENTS);
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const aiScene* scene = importer.ReadFile(
-        path.string(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType |
-                           aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
-    if (scene == nullptr) {
-        std::string reason = importer.GetErrorString();
-        reason.resize(std::min(reason.find('\n'), reason.size()));
-        refuse(path, reason.empty() ? "is not a mesh" : reason);
-    }
-    TriangleMesh mesh;
-    for (unsigned int i = 0; i < scene->mNumMeshes; ++i) append(mesh, *scene->mMeshes[i]);
-    if (mesh.triangles.empty()) refuse(path, "has no triangles");
-    for (const Vec3& vertex : mesh.vertices)
-        if (!vertex.allFinite()) refuse(path, "has a corner that is not a number");
-    return mesh;
+    MeshFile file = read_mesh_file(path, MeshDetail::shape);
+    const std::vector<Vec3> albedo(file.triangles.size(), clay);
+    return {std::move(file.positions), std::move(file.triangles), albedo};
 }
 
 TriangleMesh make_bowl() {

@@ -1,0 +1,88 @@
+#include "ui/scenes/mirror.hpp"
+
+#include "ui/table_frame.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr float rest_s = 0.15f;  // after the last change: then the picture is worth its full quality
+
+}  // namespace
+
+MirrorScene::MirrorScene(const SceneSetup& setup)
+    : model_(setup.model ? setup.model : std::make_shared<const MeshModel>(make_vase())) {
+    Button reset;
+    reset.icon = Icon::undo;
+    tools_.set({reset});
+}
+
+void MirrorScene::start(PixelSize view) {
+    view_ = view;
+    things_.reset();
+    gestures_.reset();
+    rasteriser_.reset();
+    mesh_ = nullptr;
+    picture_.forget();
+}
+
+void MirrorScene::open(const TableFrame& frame) {
+    things_.emplace(frame);
+    GestureConfig config;
+    config.mm_per_px = surface_.mm_per_px(surface_.room().center());
+    gestures_.emplace(config, [this](const Eigen::Vector2f& px) { return things_->hit(surface_, px); });
+    rasteriser_.emplace(*model_, frame.intrinsics);
+}
+
+void MirrorScene::show(const TableFrame& frame) {
+    now_us_ = frame.timestamp_us;
+    surface_ = SurfaceGeometry(frame, view_);
+    if (frame.state != "live" || !frame.has_area) return;
+    if (!things_) open(frame);
+    if (!T_g_c_.isApprox(frame.T_g_c, 1e-6f)) mesh_is_old_ = true;
+    T_g_c_ = frame.T_g_c;
+    picture_.show(frame);
+}
+
+void MirrorScene::on_touch(const TouchEvent& event) {
+    if (tools_.on_touch(event) || !things_) return;
+    gestures_->on_touch(event, now_us_);
+    things_->on_touch(event, surface_);
+}
+
+void MirrorScene::changed() {
+    ++version_;
+    since_change_s_ = 0.f;
+    mesh_is_old_ = true;
+}
+
+void MirrorScene::update(float dt_s) {
+    since_change_s_ += dt_s;
+    const bool resets = !tools_.update(now_us_).empty();
+    if (!things_) return;
+    if (resets) things_->reset();
+    for (const Gesture& gesture : gestures_->update(now_us_)) things_->on_gesture(gesture);
+    if (things_->update()) changed();
+    if (!mesh_is_old_) return;
+    mesh_ = rasteriser_->draw(T_g_c_.inverse() * things_->T_g_m(), things_->size_m(TableThings::model));
+    mesh_is_old_ = false;
+}
+
+SceneWish MirrorScene::wish() const {
+    SceneWish wish;
+    if (!things_) return wish;
+    wish.view.emplace();
+    wish.view->version = version_;
+    wish.view->moving = since_change_s_ < rest_s;
+    wish.view->sphere =
+        MirrorSphere{things_->middle_g_m(TableThings::ball), 0.5f * things_->size_m(TableThings::ball)};
+    wish.view->mesh = mesh_;
+    return wish;
+}
+
+void MirrorScene::draw(Canvas& canvas, const ViewMapping& view) {
+    tools_.lay_out(canvas, view, surface_);
+    tools_.draw(canvas, view);
+}
+
+}  // namespace touchstone
