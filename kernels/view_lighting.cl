@@ -1,6 +1,8 @@
 /* Listing 3 from the first hit on, for a view from anywhere: lighting, what a mesh hides, shadows and a mirror sphere by secondary
  * rays. Rays are in the global frame, in voxel units; eight pixels a work-item. */
 
+#define MESH_SHADOW_BIAS_M 0.008f /* of a mesh on itself, and on what it stands on */
+
 typedef struct Ray8 {
     Points8 origin, direction; /* length 1 */
     float8 enter, leave;       /* of the box that holds all surfaces: enter >= 0, leave < enter where it is missed */
@@ -105,6 +107,28 @@ INLINE float8 sphere_clearance8(const Points8 from, const Points8 direction, con
     const Points8 to_centre = {sphere_vox.x - from.x, sphere_vox.y - from.y, sphere_vox.z - from.z};
     const Points8 gap = along8(to_centre, direction, -clamp(dot8(to_centre, direction), (float8)(0.0f), length));
     return select((float8)(1.0f), sqrt(dot8(gap, gap)) - sphere_vox.w, (int8)(sphere_vox.w > 0.0f ? -1 : 0));
+}
+
+/* What a mesh leaves of the light: of its depths as the light sees it, the four around each point (metres, global frame). */
+INLINE float8 mesh_share8(__global const float* shadow_m, const Intrinsics k, const MapShape shape, const Pose T_l_g,
+                          const Points8 point_g_m) {
+    const Points8 p = transform_points8(T_l_g, point_g_m);
+    const int8 ahead = p.z > 0.05f;
+    const float8 inverse_z = 1.0f / select((float8)(1.0f), p.z, ahead);
+    const float8 u = p.x * inverse_z * k.fx_px + k.cx_px, v = p.y * inverse_z * k.fy_px + k.cy_px;
+    const int8 inside = ahead & (u >= 0.0f) & (v >= 0.0f) & (u < (float)(shape.width_px - 1)) & (v < (float)(shape.height_px - 1));
+    if (!any(inside)) return (float8)(1.0f);
+    const float8 left = floor(select((float8)(0.0f), u, inside)), top = floor(select((float8)(0.0f), v, inside));
+    const float8 a = select((float8)(0.0f), u, inside) - left, b = select((float8)(0.0f), v, inside) - top;
+    float8 dark = (float8)(0.0f);
+    for (int corner = 0; corner < 4; ++corner) {
+        const int dx = corner & 1, dy = corner >> 1;
+        const int8 at = (convert_int8_rtz(top) + dy) * shape.pitch_px + convert_int8_rtz(left) + dx;
+        const float8 depth_m = gather8(shadow_m, select((int8)(-1), at, inside));
+        const float8 near = (dx ? a : 1.0f - a) * (dy ? b : 1.0f - b);
+        dark += select((float8)(0.0f), near, inside & (depth_m > 0.0f) & (depth_m < p.z - MESH_SHADOW_BIAS_M));
+    }
+    return 1.0f - dark;
 }
 
 typedef struct Hit8 {
@@ -265,7 +289,8 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
                          __global const float* mesh_m, __global const float* mesh_normals_c, __global const uint* mesh_rgba,
                          __global uint* rgba, __global float* depth_m, const VolumeParams volume, const Intrinsics k,
                          const MapShape shape, const MapShape mesh_shape, const Pose T_g_c, const ViewLightingParams params,
-                         const int style) {
+                         const int style, __global const float* shadow_m, const Intrinsics shadow_k, const MapShape shadow_shape,
+                         const Pose T_l_g) {
     const int x = (int)get_global_id(0) * 8, y = (int)get_global_id(1), plane = shape.pitch_px * shape.rows_px;
     const int at = y * shape.pitch_px + x;
     const float to_vox = 1.0f / volume.voxel_m;
@@ -292,7 +317,9 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     const Points8 light = normalized8(to_light);
     const float8 cos_light = dot8(seen.normal, light);
     const int is_unlit = style == STYLE_NORMALS || (style == STYLE_COLOURS && params.has_colors);
-    const float8 share = is_unlit ? (float8)(0.0f) : light_share8(table, pool, volume, params, to_light, sphere_vox, &seen, cos_light);
+    float8 share = is_unlit ? (float8)(0.0f) : light_share8(table, pool, volume, params, to_light, sphere_vox, &seen, cos_light);
+    if (shadow_k.fx_px > 0.0f && !is_unlit)
+        share *= mesh_share8(shadow_m, shadow_k, shadow_shape, T_l_g, scaled8(seen.point, (float8)(volume.voxel_m)));
     const float8 level = params.ambient + params.diffuse * fmax(cos_light, 0.0f) * share;
     float8 shine = fmax(dot8(along8(light, seen.normal, -2.0f * cos_light), seen.direction), 0.0f);
     shine *= shine, shine *= shine, shine *= shine, shine *= shine;

@@ -149,7 +149,8 @@ bool SceneView::is_good(const ViewWish& wish, const SceneViewFrame& frame) const
 
 void SceneView::render(const ViewWish& wish, const SceneViewFrame& frame) {
     ViewRendering& rendering = rendering_for(frame);
-    const ViewScene scene{light_g_m(frame), wish.sphere, upload(wish.mesh.get()), wish.style};
+    const ViewScene scene{wish.light_g_m.value_or(light_g_m(frame)), wish.sphere, upload(wish.mesh.get()),
+                          upload_shadow(wish), wish.style};
     T_g_v_ = wish.T_g_v.value_or(frame.T_g_c);
     const bool full = !wish.moving;
     shown_.emplace();
@@ -191,6 +192,22 @@ const MeshMaps* SceneView::upload(const MeshPicture* mesh) {
     write_plane<std::uint32_t>(mesh_->rgba, shape_, 0, mesh->rgba);
     mesh_maps_.emplace(MeshMaps{mesh_->depth_m, mesh_->normals_c, mesh_->rgba});
     return &*mesh_maps_;
+}
+
+const MeshShadow* SceneView::upload_shadow(const ViewWish& wish) {
+    if (!wish.mesh_from_light) return nullptr;
+    const MeshPicture& picture = *wish.mesh_from_light;
+    const MapShape shape = make_map_shape(picture.intrinsics);
+    const auto pixels = static_cast<std::size_t>(shape.width_px * shape.height_px);
+    if (pixels == 0 || picture.depth_m.size() != pixels) return nullptr;
+    if (!shadow_m_ || shadow_m_->size() != map_pixels(shape)) {
+        mesh_shadow_.reset();
+        shadow_m_.emplace(*device_, map_pixels(shape));
+        shadow_m_->fill(0.0f);
+    }
+    write_plane<float>(*shadow_m_, shape, 0, picture.depth_m);
+    mesh_shadow_.emplace(MeshShadow{*shadow_m_, picture.intrinsics, wish.T_g_l.inverse()});
+    return &*mesh_shadow_;
 }
 
 }  // namespace touchstone

@@ -48,6 +48,7 @@ class SceneView {
     void render(const ViewWish& wish, const SceneViewFrame& frame);
     ViewRendering& rendering_for(const SceneViewFrame& frame);
     const MeshMaps* upload(const MeshPicture* mesh);
+    const MeshShadow* upload_shadow(const ViewWish& wish);
 
     const Device* device_;
     Intrinsics intrinsics_;
@@ -56,6 +57,8 @@ class SceneView {
     Eigen::Vector3f up_g_{0.0f, 0.0f, 0.0f};  // of rendering_
     std::optional<Mesh> mesh_;
     std::optional<MeshMaps> mesh_maps_;
+    std::optional<Buffer<float>> shadow_m_;
+    std::optional<MeshShadow> mesh_shadow_;
     std::optional<RenderedView> shown_;  // without hands
     std::vector<float> shown_m_;         // its depth, row-major, no padding
     RigidTransform T_g_v_ = RigidTransform::Identity();

@@ -35,6 +35,11 @@ struct ViewWish {
     bool moving = false;  ///< more wishes follow soon: half quality will do
     std::optional<MirrorSphere> sphere = std::nullopt;
     std::shared_ptr<const MeshPicture> mesh = nullptr;  ///< in the pixels of that view; may be null
+    /// Where the lamp is; none: over the far left quarter of the area.
+    std::optional<Eigen::Vector3f> light_g_m = std::nullopt;
+    /// The mesh from the lamp, for its shadow, and the pose of that view; may be null.
+    std::shared_ptr<const MeshPicture> mesh_from_light = nullptr;
+    RigidTransform T_g_l = RigidTransform::Identity();
 };
 
 /// What the scene that is shown asks of the perception loop; the latest counts.

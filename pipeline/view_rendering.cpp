@@ -91,11 +91,16 @@ void ViewRendering::launch(const TsdfVolume& volume, const RigidTransform& T_g_c
     // Where there is no mesh the kernel reads none: any map will do.
     const MeshMaps mesh =
         scene.mesh != nullptr ? *scene.mesh : MeshMaps{surface.depth_m, surface.normals_c, picture.rgba};
+    // The same of its shadow.
+    const MeshShadow shadow = scene.mesh_shadow != nullptr
+                                  ? *scene.mesh_shadow
+                                  : MeshShadow{surface.depth_m, {}, RigidTransform::Identity()};
     const Buffer<std::uint32_t>& colors = params.has_colors != 0 ? volume.colors()->colors() : no_colors_;
     light_view_.launch(eight_pixels_each(picture.shape), skipping_.table(), volume.pool(), color_table_,
                        colors, surface.depth_m, surface.normals_c, mesh.depth_m, mesh.normals_c, mesh.rgba,
                        picture.rgba, picture.depth_m, volume.params(), intrinsics, picture.shape,
-                       picture_.shape, to_pose(T_g_c), params, static_cast<int>(scene.style));
+                       picture_.shape, to_pose(T_g_c), params, static_cast<int>(scene.style), shadow.depth_m,
+                       shadow.intrinsics, make_map_shape(shadow.intrinsics), to_pose(shadow.T_l_g));
 }
 
 bool ViewRendering::update_color_table(const TsdfVolume& volume) {

@@ -36,11 +36,19 @@ struct MeshMaps {
     const Buffer<std::uint32_t>& rgba;  ///< red in the lowest byte; alpha is not looked at
 };
 
+/// The mesh's depths as the light sees it, padded to `make_map_shape(intrinsics)`.
+struct MeshShadow {
+    const Buffer<float>& depth_m;
+    Intrinsics intrinsics;
+    RigidTransform T_l_g;
+};
+
 /// What is lit: everything virtual, and the light, a point.
 struct ViewScene {
     Eigen::Vector3f light_g_m;
-    std::optional<MirrorSphere> sphere;
+    std::optional<MirrorSphere> sphere = std::nullopt;
     const MeshMaps* mesh = nullptr;
+    const MeshShadow* mesh_shadow = nullptr;  ///< without one, the mesh casts none
     /// Normals and colours are not lit; colours are where the volume keeps some.
     ViewStyle style = ViewStyle::shaded;
 };
@@ -51,8 +59,8 @@ enum class ViewQuality {
 };
 
 /// Listing 3 in full, Fig 12: a volume from any 6DOF view, lit by Phong's model, with shadows, a mirror
-/// sphere and a mesh that hide and are hidden as their depths say. The mesh takes shadows but casts none, and
-/// is not seen in the mirror. Surfaces seen from behind are unknown.
+/// sphere and a mesh that hide and are hidden as their depths say. The mesh is
+/// not seen in the mirror. Surfaces seen from behind are unknown.
 class ViewRendering {
   public:
     /// `intrinsics`: of the view.

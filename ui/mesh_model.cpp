@@ -12,7 +12,7 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr int rings = 48, segments = 64;
-constexpr std::array<std::uint8_t, 4> glaze{46, 128, 156, 255}, clay{214, 132, 74, 255};
+constexpr std::array<std::uint8_t, 4> glaze{98, 190, 204, 255}, clay{226, 140, 78, 255};
 
 /// Radius over height, 0..1: a foot, a belly, a neck and a lip.
 float vase_radius(float height) {
@@ -31,9 +31,9 @@ std::array<std::uint8_t, 4> mixed(float share) {
     return rgba;
 }
 
-/// The glaze ends in waves above the foot.
+/// The glaze has run down in waves.
 std::array<std::uint8_t, 4> vase_color(float height, float angle_rad) {
-    const float edge = 0.24f + 0.035f * std::sin(5.f * angle_rad) + 0.02f * std::sin(11.f * angle_rad);
+    const float edge = 0.58f + 0.035f * std::sin(5.f * angle_rad) + 0.02f * std::sin(11.f * angle_rad);
     return mixed(std::clamp(1.f - 40.f * (height - edge), 0.f, 1.f));
 }
 

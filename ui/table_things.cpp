@@ -13,6 +13,7 @@ using Eigen::Vector3f;
 constexpr float ball_m = 0.12f, model_m = 0.17f;  // at first
 constexpr float least_m = 0.05f, most_m = 0.40f;
 constexpr float finger_mm = 12.f;
+constexpr float lamp_m = 0.9f;          // over the table
 constexpr float finger_rise_m = 0.25f;  // a surface higher over the table's plane is none to stand on
 
 }  // namespace
@@ -43,6 +44,20 @@ RigidTransform TableThings::T_g_m() const {
     T_g_m.linear() = axes * Eigen::AngleAxisf(things_[model].yaw_rad, Vector3f::UnitY());
     T_g_m.translation() = things_[model].foot_g_m;
     return T_g_m;
+}
+
+Vector3f TableThings::light_g_m() const {
+    return origin_g_m_ + 0.25f * u_g_m_ + 0.25f * v_g_m_ + lamp_m * up_g_;
+}
+
+RigidTransform TableThings::T_g_l() const {
+    const Vector3f z = (middle_g_m(model) - light_g_m()).normalized();
+    const Vector3f across = std::abs(z.dot(u_g_m_.normalized())) < 0.9f ? u_g_m_ : v_g_m_;
+    const Vector3f y = z.cross(across).normalized();
+    RigidTransform T_g_l = RigidTransform::Identity();
+    T_g_l.linear() << y.cross(z), y, z;
+    T_g_l.translation() = light_g_m();
+    return T_g_l;
 }
 
 std::optional<int> TableThings::hit(const SurfaceGeometry& surface, const Vector2f& place_px) const {

@@ -36,6 +36,10 @@ class TableThings {
     Eigen::Vector3f middle_g_m(int thing) const;
     /// Takes the model's own frame (y up, on its foot) to the global one.
     RigidTransform T_g_m() const;
+    /// A lamp over the far left quarter of the area.
+    Eigen::Vector3f light_g_m() const;
+    /// The lamp's look at the model, whose shadow falls along it.
+    RigidTransform T_g_l() const;
 
   private:
     struct Thing {

@@ -1,3 +1,3 @@
 touchstone_test(pipeline_view_test
-    SOURCES scene_view_test.cpp view_rendering_test.cpp
+    SOURCES mesh_shadow_test.cpp scene_view_test.cpp view_rendering_test.cpp
     LIBRARIES touchstone_pipeline)

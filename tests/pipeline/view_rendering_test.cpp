@@ -100,7 +100,7 @@ TEST_F(ViewRenderingTest, WithoutColoursSurfacesHaveTheLooksColour) {
 /// As colours: red to the right, green up, blue towards the camera; 0.05 is 6 degrees, of faces between
 /// voxels.
 TEST_F(ViewRenderingTest, NormalsAreShownAsColours) {
-    render({light_g_m, std::nullopt, nullptr, ViewStyle::normals});
+    render({.light_g_m = light_g_m, .style = ViewStyle::normals});
     int compared = 0;
     for_each_pixel([&](int x, int y) {
         const auto seen = hit(x, y);
@@ -116,7 +116,7 @@ TEST_F(ViewRenderingTest, NormalsAreShownAsColours) {
 
 /// Neither light nor shadow: the volume's own, to two of 255.
 TEST_F(ViewRenderingTest, ColoursAreShownUnlit) {
-    render({light_g_m, std::nullopt, nullptr, ViewStyle::colours});
+    render({.light_g_m = light_g_m, .style = ViewStyle::colours});
     int compared = 0;
     for_each_pixel([&](int x, int y) {
         const auto seen = hit(x, y);

@@ -6,6 +6,8 @@ namespace touchstone {
 
 namespace {
 
+/// Sees what is up to 50 cm beside the model from a lamp at 90 cm.
+constexpr Intrinsics lamp_intrinsics{460.f, 460.f, 255.5f, 255.5f, 512, 512, {0, 0}};
 constexpr float rest_s = 0.15f;  // after the last change: then the picture is worth its full quality
 
 }  // namespace
@@ -22,6 +24,7 @@ void MirrorScene::start(PixelSize view) {
     things_.reset();
     gestures_.reset();
     rasteriser_.reset();
+    from_light_.reset();
     mesh_ = nullptr;
     picture_.forget();
 }
@@ -32,6 +35,7 @@ void MirrorScene::open(const TableFrame& frame) {
     config.mm_per_px = surface_.mm_per_px(surface_.room().center());
     gestures_.emplace(config, [this](const Eigen::Vector2f& px) { return things_->hit(surface_, px); });
     rasteriser_.emplace(*model_, frame.intrinsics);
+    from_light_.emplace(*model_, lamp_intrinsics);
 }
 
 void MirrorScene::show(const TableFrame& frame) {
@@ -64,7 +68,9 @@ void MirrorScene::update(float dt_s) {
     for (const Gesture& gesture : gestures_->update(now_us_)) things_->on_gesture(gesture);
     if (things_->update()) changed();
     if (!mesh_is_old_) return;
-    mesh_ = rasteriser_->draw(T_g_c_.inverse() * things_->T_g_m(), things_->size_m(TableThings::model));
+    const float size_m = things_->size_m(TableThings::model);
+    mesh_ = rasteriser_->draw(T_g_c_.inverse() * things_->T_g_m(), size_m);
+    mesh_from_light_ = from_light_->draw(things_->T_g_l().inverse() * things_->T_g_m(), size_m);
     mesh_is_old_ = false;
 }
 
@@ -77,6 +83,9 @@ SceneWish MirrorScene::wish() const {
     wish.view->sphere =
         MirrorSphere{things_->middle_g_m(TableThings::ball), 0.5f * things_->size_m(TableThings::ball)};
     wish.view->mesh = mesh_;
+    wish.view->light_g_m = things_->light_g_m();
+    wish.view->mesh_from_light = mesh_from_light_;
+    wish.view->T_g_l = things_->T_g_l();
     return wish;
 }
 

@@ -44,8 +44,8 @@ class MirrorScene : public Scene {
     ButtonRow tools_{RowEdge::bottom};
     std::optional<TableThings> things_;  // from the first frame with an area on
     std::optional<GestureRecognizer> gestures_;
-    std::optional<MeshRasteriser> rasteriser_;
-    std::shared_ptr<const MeshPicture> mesh_;
+    std::optional<MeshRasteriser> rasteriser_, from_light_;
+    std::shared_ptr<const MeshPicture> mesh_, mesh_from_light_;
     RenderedPicture picture_;
     RigidTransform T_g_c_ = RigidTransform::Identity();
     bool mesh_is_old_ = true;
