@@ -30,7 +30,7 @@ std::shared_ptr<const ParticleView> Perception::move_particles(const Interaction
         if (calibrates(result.state)) touches = {};
         *view = particles_->advance({pipeline_->live(), background.prediction(), foreground,
                                      background.volume(), background.T_g_c(), *pipeline_->area(), touches,
-                                     timestamp_us, result.hovers, wish_.tilt});
+                                     timestamp_us, result.hovers, wish_.tilt, &wish_.pouring_fingers});
     }
     return view;
 }

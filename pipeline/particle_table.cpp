@@ -84,18 +84,26 @@ void ParticleTable::take_touches(const ParticleTableFrame& frame) {
         else
             fingers_.insert_or_assign(event.tip.id, event.tip);
     }
-    if (static_cast<int>(fingers_.size()) >= config_.clearing_fingers) simulation_.clear();
+}
+
+std::vector<Fingertip> ParticleTable::spouts(const ParticleTableFrame& frame) const {
+    std::vector<Fingertip> spouts;
+    for (const auto& [id, tip] : fingers_)
+        if (frame.pouring == nullptr || std::ranges::find(*frame.pouring, id) != frame.pouring->end())
+            spouts.push_back(tip);
+    return spouts;
 }
 
 void ParticleTable::pour(const ParticleTableFrame& frame, float dt_s) {
-    if (static_cast<int>(fingers_.size()) >= config_.clearing_fingers) return;
+    const std::vector<Fingertip> fingers = spouts(frame);
+    if (static_cast<int>(fingers.size()) >= config_.clearing_fingers) return simulation_.clear();
     owed_ += config_.pour_per_s * dt_s;
     const int each = static_cast<int>(owed_);
     owed_ -= static_cast<float>(each);
     std::uniform_real_distribution<float> jitter(-0.5f, 0.5f);
     const Eigen::Vector3f up_c = facing_normal(frame.area);
     std::vector<Particle> poured;
-    for (const auto& [id, tip] : fingers_) {
+    for (const Fingertip& tip : fingers) {
         const Eigen::Vector3f ahead_c = -(tip.axis_c - tip.axis_c.dot(up_c) * up_c).normalized();
         const Eigen::Vector3f spout_c_m = tip.surface_c_m + config_.pour_ahead_m * ahead_c +
                                           (config_.pour_height_m + config_.simulation.radius_m) * up_c;

@@ -36,7 +36,8 @@ struct ParticleTableFrame {
     std::span<const TouchEvent> touches;
     std::uint64_t timestamp_us = 0;
     std::span<const HoverEvent> hovers = {};
-    Eigen::Vector2f tilt{0.0f, 0.0f};  ///< as in SceneWish
+    Eigen::Vector2f tilt{0.0f, 0.0f};           ///< as in SceneWish
+    const std::vector<int>* pouring = nullptr;  ///< the fingers that do; null: all in contact
 };
 
 /// Fig 9 and 13 on a table: particles are poured from fingertips, lie on the surface, and are pushed, scooped
@@ -59,6 +60,7 @@ class ParticleTable {
 
   private:
     void take_touches(const ParticleTableFrame& frame);
+    std::vector<Fingertip> spouts(const ParticleTableFrame& frame) const;
     void pour(const ParticleTableFrame& frame, float dt_s);
     void set_hands(const ParticleTableFrame& frame);
     void forget_fallen(const ParticleTableFrame& frame);

@@ -44,8 +44,9 @@ struct ViewWish {
 
 /// What the scene that is shown asks of the perception loop; the latest counts.
 struct SceneWish {
-    bool particles = false;     ///< are simulated, and kept only so long
-    int particles_cleared = 0;  ///< how often they were to be cleared
+    bool particles = false;            ///< are simulated, and kept only so long
+    int particles_cleared = 0;         ///< how often they were to be cleared
+    std::vector<int> pouring_fingers;  ///< of those in contact: not those on controls
     /// How far the table is tilted: of the particles' gravity, the share along the area's u and v.
     Eigen::Vector2f tilt{0.0f, 0.0f};
     std::optional<ViewWish> view = std::nullopt;

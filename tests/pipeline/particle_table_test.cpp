@@ -113,6 +113,25 @@ TEST_F(ParticleTableTest, FourFingersClear) {
     EXPECT_EQ(table.count(), 0);
 }
 
+/// The second finger is on a control.
+TEST_F(ParticleTableTest, OnlyFingersThatAreToPourDo) {
+    ParticleTable table(device_, {}, k_);
+    const std::array down{finger(1, TouchPhase::down), finger(2, TouchPhase::down)};
+    const auto poured = [&](const std::vector<int>& pouring) {
+        const int before = table.count();
+        for (int i = 0; i < 10; ++i) {
+            ParticleTableFrame each = frame(down);
+            each.pouring = &pouring;
+            table.advance(each);
+        }
+        return table.count() - before;
+    };
+    poured({});
+    EXPECT_EQ(table.count(), 0);
+    EXPECT_NEAR(poured({1}), 40, 2);
+    EXPECT_NEAR(poured({1, 2}), 80, 4);
+}
+
 /// Half of gravity's pull along u: at rest they lean on nothing, so they run that way.
 TEST_F(ParticleTableTest, OnATiltedTableTheyRunDown) {
     EXPECT_LT((tilted_down(area_, {0.0f, 0.0f}) - Eigen::Vector3f(0.0f, 0.0f, 1.0f)).norm(), 1e-6f);

@@ -145,5 +145,14 @@ TEST_F(ParticleToolsTest, ThePadIsLargeEnoughForAFingerAndInTheArea) {
         surface.room().contains(Eigen::AlignedBox2f(pad_.center_px() - half, pad_.center_px() + half)));
 }
 
+TEST_F(ParticleToolsTest, AFingerOnAControlDoesNotPour) {
+    const Eigen::Vector2f free_px(160.f, 120.f);
+    present({touch(1, TouchPhase::down, free_px), touch(2, TouchPhase::down, pad_.center_px()),
+             touch(3, TouchPhase::down, reset_), touch(4, TouchPhase::down, menu_tile_px(""))});
+    EXPECT_EQ(presenter_->wish().pouring_fingers, (std::vector<int>{1}));
+    present({touch(1, TouchPhase::up, free_px)});
+    EXPECT_TRUE(presenter_->wish().pouring_fingers.empty());
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -14,6 +14,7 @@ void ParticlesScene::start(PixelSize view) {
     view_ = view;
     layer_.emplace(view);
     drawn_ = nullptr;
+    pouring_.clear();
 }
 
 void ParticlesScene::show(const TableFrame& frame) {
@@ -23,7 +24,9 @@ void ParticlesScene::show(const TableFrame& frame) {
 }
 
 void ParticlesScene::on_touch(const TouchEvent& event) {
-    if (!tools_.on_touch(event)) pad_.on_touch(event);
+    std::erase(pouring_, event.tip.id);
+    if (tools_.on_touch(event) || pad_.on_touch(event)) return;
+    if (event.phase != TouchPhase::up) pouring_.push_back(event.tip.id);
 }
 
 void ParticlesScene::update(float dt_s) {
@@ -38,6 +41,7 @@ SceneWish ParticlesScene::wish() const {
     SceneWish wish;
     wish.particles = true;
     wish.particles_cleared = cleared_;
+    wish.pouring_fingers = pouring_;
     wish.tilt = most_tilt * surface_.along_area(pad_.offset());
     return wish;
 }

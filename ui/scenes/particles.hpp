@@ -39,6 +39,7 @@ class ParticlesScene : public Scene {
     std::shared_ptr<const ParticleView> particles_, drawn_;
     ButtonRow tools_{RowEdge::bottom};
     TiltPad pad_;
+    std::vector<int> pouring_;  // fingers
     int cleared_ = 0;
     std::uint64_t now_us_ = 0;
 };
