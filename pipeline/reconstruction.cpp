@@ -157,11 +157,11 @@ ReconstructionFrame Reconstruction::process(const DepthView& view, std::span<con
         frame.fused = frame.tracking.state == TrackingState::good && frames_to_prove_ == 0;
         if (frame.tracking.state == TrackingState::good && frames_to_prove_ > 0) --frames_to_prove_;
         if (frame.fused) fuse(has_intensity ? color_rgb : std::span<const std::uint8_t>{});
-        if (frame.fused && fused_frames_ % config_.frames_per_keyframe == 1)
-            keyframes_.add_if_new(make_small_picture(view), T_g_c_);
         if (frame.tracking.state != TrackingState::lost) {
             moving_.remember(live_, T_g_c_, frame.fused);
             if (needs_prediction(frame)) predict(has_intensity);
+            if (frame.fused && frames_on_prediction_ == 0)
+                keyframes_.add_if_new(make_small_picture(view), T_g_c_);
         }
         frame.T_g_c = T_g_c_;
     }

@@ -35,9 +35,8 @@ struct ReconstructionConfig {
     float poor_moving_share = 0.5f;  ///< of the picture: not fused
     int proving_frames = 5;          ///< that a pose found again must be tracked well before it is fused
     int frames_per_sweep = 2;        ///< in which all of a model that is not young is fused once
-    int frames_per_keyframe = 3;     ///< of which one is looked at as a keyframe, more than 1
-    /// The surface is predicted anew every so many frames, while the model is young, and where the camera has
-    /// moved by more since.
+    /// The surface is predicted anew, and the view looked at as a keyframe, every so many frames, while the
+    /// model is young, and where the camera has moved by more since.
     int frames_per_prediction = 3, young_model_frames = 30;
     float max_prediction_shift_m = 0.05f, max_prediction_turn_deg = 4.0f;
     bool use_color = true;  ///< brightness helps to track, where there is a colour picture
