@@ -147,6 +147,22 @@ TEST_F(MirrorTest, AKnockedCameraSeesThemWhereTheyStand) {
     EXPECT_NEAR(model().middle_px.x(), model_px.x() - 0.05f * 290.f / 1.02f, 2.f);
 }
 
+/// Of wishes of one version only the first is rendered: another pose is another picture of the model.
+TEST_F(MirrorTest, AKnockIsANewWishOnceAndAStillCameraNone) {
+    pass(0.5f);
+    const ViewWish before = wish();
+    pass(0.2f);
+    EXPECT_EQ(wish().version, before.version);
+    frame_.T_g_c.translation() = Vector3f(0.05f, 0.f, 0.f);
+    present();
+    const ViewWish after = wish();
+    EXPECT_GT(after.version, before.version);
+    EXPECT_NE(after.mesh->depth_m, before.mesh->depth_m);
+    pass(0.5f);
+    EXPECT_EQ(wish().version, after.version);
+    EXPECT_FALSE(wish().moving);
+}
+
 TEST_F(MirrorTest, WhatIsRenderedLiesOverTheTable) {
     auto rendered = std::make_shared<RenderedView>();
     rendered->picture = {view_size.width_px, view_size.height_px,

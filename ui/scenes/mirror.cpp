@@ -8,7 +8,8 @@ namespace {
 
 /// Sees what is up to 50 cm beside the model from a lamp at 90 cm.
 constexpr Intrinsics lamp_intrinsics{460.f, 460.f, 255.5f, 255.5f, 512, 512, {0, 0}};
-constexpr float rest_s = 0.15f;  // after the last change: then the picture is worth its full quality
+constexpr float same_pose = 1e-6f;  // relative: a camera at rest has the very same pose in each frame
+constexpr float rest_s = 0.15f;     // after the last change: then the picture is worth its full quality
 
 }  // namespace
 
@@ -42,8 +43,10 @@ void MirrorScene::show(const TableFrame& frame) {
     now_us_ = frame.timestamp_us;
     surface_ = SurfaceGeometry(frame, view_);
     if (frame.state != "live" || !frame.has_area) return;
-    if (!things_) open(frame);
-    if (!T_g_c_.isApprox(frame.T_g_c, 1e-6f)) mesh_is_old_ = true;
+    if (!things_)
+        open(frame);
+    else if (!T_g_c_.isApprox(frame.T_g_c, same_pose))
+        changed();
     T_g_c_ = frame.T_g_c;
     picture_.show(frame);
 }
