@@ -52,6 +52,7 @@ struct TablePresenter::Parts {
     Layout layout;
     PixelSize view_size{};
     bool scanning = false;
+    int versions_before = 0;  // of pictures that scenes before this one wished for
 };
 
 TablePresenter::TablePresenter(Display& display, const std::string& scene_name, const PresenterConfig& config)
@@ -76,12 +77,24 @@ void TablePresenter::present(const TableFrame& frame, float dt_s) {
     display_.present();
 }
 
-SceneWish TablePresenter::wish() const { return parts_->scene->wish(); }
+SceneWish TablePresenter::wish() const {
+    SceneWish wish = parts_->scene->wish();
+    if (wish.view) wish.view->version += parts_->versions_before;
+    return wish;
+}
 
 const std::string& TablePresenter::scene_name() const { return parts_->scene_name; }
 
-void TablePresenter::take_in(const TableFrame& frame) {
+void TablePresenter::take_in(const TableFrame& told) {
     Parts& p = *parts_;
+    // What the scene before wished for is not for this one.
+    const bool has_old_picture = told.rendered && told.rendered->version < p.versions_before;
+    TableFrame without_picture;
+    if (has_old_picture) {
+        without_picture = told;
+        without_picture.rendered = nullptr;
+    }
+    const TableFrame& frame = has_old_picture ? without_picture : told;
     p.compositor.set_view(frame.view);
     start_scene(frame);
     p.surface = SurfaceGeometry(frame, p.view_size);
@@ -131,11 +144,14 @@ void TablePresenter::deliver(const TouchEvent& event) {
 void TablePresenter::change_scene(const std::string& name, const TableFrame& frame) {
     Parts& p = *parts_;
     if (name == p.scene_name) return;
+    if (const auto view = p.scene->wish().view) p.versions_before += view->version + 1;
     p.scene.reset();
     p.scene = make_scene(name, config_.scenes);
     p.scene_name = name;
     if (p.view_size.width_px > 0) p.scene->start(p.view_size);
-    p.scene->show(frame);
+    TableFrame first = frame;
+    first.rendered = nullptr;
+    p.scene->show(first);
     for (const int id : p.fingers.touching_ids()) p.ignored_fingers.insert(id);
 }
 

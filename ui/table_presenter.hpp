@@ -35,7 +35,7 @@ class TablePresenter {
   private:
     struct Parts;
 
-    void take_in(const TableFrame& frame);
+    void take_in(const TableFrame& told);
     void start_scene(const TableFrame& frame);
     void deliver(const TouchEvent& event);
     void change_scene(const std::string& name, const TableFrame& frame);

@@ -18,17 +18,16 @@ class TableThings {
     explicit TableThings(const TableFrame& frame);
 
     void reset();
-    /// The thing at a place of the depth picture, the nearer one first; a finger's width beside it counts.
+    /// The thing at a place of the depth picture, the one hit nearest to its middle; a finger's width beside
+    /// it counts.
     std::optional<int> hit(const SurfaceGeometry& surface, const Eigen::Vector2f& place_px) const;
     /// A finger that comes down on a thing takes it along: over the table as the finger goes, as high as the
     /// surface under it. Several take it by their mean.
     void on_touch(const TouchEvent& event, const SurfaceGeometry& surface);
-    void lift_all() { fingers_.clear(); }
     /// Stretches and turns.
     void on_gesture(const Gesture& gesture);
     /// Whether something changed since the last call. A thing dragged beyond the area stays at its edge.
     bool update();
-    bool is_held() const { return !fingers_.empty(); }
 
     Eigen::Vector3f foot_g_m(int thing) const { return things_[static_cast<std::size_t>(thing)].foot_g_m; }
     /// The ball's diameter, the model's height.

@@ -63,6 +63,27 @@ TEST_F(TouchMenuTest, TheFingerThatChoseDoesNothingInTheNewScene) {
               tolerance);
 }
 
+/// Pictures are rendered once for a version: no two scenes may wish for different ones under the same, and
+/// what the old one wished for is not shown in the new one.
+TEST_F(TouchMenuTest, TheNewSceneWishesForPicturesOfItsOwn) {
+    open("mirror");
+    pass(0.3f);
+    const int of_mirror = presenter_->wish().view.value().version;
+    auto rendered = std::make_shared<RenderedView>();
+    rendered->version = of_mirror;
+    rendered->picture = {view_size.width_px, view_size.height_px, {}};
+    for (int i = 0; i < view_size.width_px * view_size.height_px; ++i)
+        rendered->picture.rgba.insert(rendered->picture.rgba.end(), {200, 0, 0, 255});
+    frame_.rendered = rendered;
+    EXPECT_LT(color_at_view(present(), {60.f, 150.f}).g, 20);
+    open_menu();
+    tap(menu_tile_px("inspect"));
+    pass(0.1f);
+    EXPECT_EQ(presenter_->scene_name(), "inspect");
+    EXPECT_GT(presenter_->wish().view.value().version, of_mirror);
+    EXPECT_GT(color_at_view(present(), {60.f, 150.f}).g, 200) << "the table, not the old picture";
+}
+
 TEST_F(TouchMenuTest, ATouchElsewhereClosesItAndPaintsNothing) {
     const Picture closed = present();
     open_menu();
