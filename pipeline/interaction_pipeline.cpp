@@ -14,18 +14,6 @@ RealignmentConfig at_start(const InteractionConfig& config) {
     return realignment;
 }
 
-std::vector<std::uint8_t> without_padding(const Buffer<std::uint8_t>& map, const MapShape& shape) {
-    std::vector<std::uint8_t> picture;
-    picture.reserve(static_cast<std::size_t>(shape.width_px) * static_cast<std::size_t>(shape.height_px));
-    const auto mapped = map.map_read();
-    for (int y = 0; y < shape.height_px; ++y) {
-        const auto row =
-            mapped.values().subspan(map_index(shape, 0, y), static_cast<std::size_t>(shape.width_px));
-        picture.insert(picture.end(), row.begin(), row.end());
-    }
-    return picture;
-}
-
 }  // namespace
 
 InteractionConfig with_shared_noise(InteractionConfig config) {

@@ -194,12 +194,9 @@ InteractiveArea whole_view_area(const SurfacePrediction& background, const Intri
 }
 
 std::array<Eigen::Vector2f, 4> area_corners_px(const InteractiveArea& area, const Intrinsics& k) {
-    const auto project = [&](const Eigen::Vector3f& p) {
-        return Eigen::Vector2f(k.fx_px * p.x() / p.z() + k.cx_px, k.fy_px * p.y() / p.z() + k.cy_px);
-    };
-    return {project(area.origin_c_m), project(area.origin_c_m + area.axis_u_c_m),
-            project(area.origin_c_m + area.axis_u_c_m + area.axis_v_c_m),
-            project(area.origin_c_m + area.axis_v_c_m)};
+    return {project(k, area.origin_c_m), project(k, area.origin_c_m + area.axis_u_c_m),
+            project(k, area.origin_c_m + area.axis_u_c_m + area.axis_v_c_m),
+            project(k, area.origin_c_m + area.axis_v_c_m)};
 }
 
 }  // namespace touchstone

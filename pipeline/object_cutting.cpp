@@ -36,19 +36,21 @@ class Cut {
         if (p_c.z() <= radius_m + 0.05f) return false;
         const Intrinsics& k = frame_.intrinsics;
         const float reach_px = radius_m / (p_c.z() - radius_m) * std::max(k.fx_px, k.fy_px) * 1.5f;
-        const float u = k.fx_px * p_c.x() / p_c.z() + k.cx_px, v = k.fy_px * p_c.y() / p_c.z() + k.cy_px;
+        const Eigen::Vector2f at_px = project(k, p_c);
         const PixelRegion& box = uncovered_.mean.box;
-        return u > static_cast<float>(box.x0) - reach_px && u < static_cast<float>(box.x1) + reach_px &&
-               v > static_cast<float>(box.y0) - reach_px && v < static_cast<float>(box.y1) + reach_px;
+        return at_px.x() > static_cast<float>(box.x0) - reach_px &&
+               at_px.x() < static_cast<float>(box.x1) + reach_px &&
+               at_px.y() > static_cast<float>(box.y0) - reach_px &&
+               at_px.y() < static_cast<float>(box.y1) + reach_px;
     }
 
     bool takes(std::int32_t voxel, const Eigen::Vector3f& center_g_m) const {
         if (weight_of(voxel) == 0 || is_free(voxel)) return false;
         const Eigen::Vector3f p_c = T_c_g_ * center_g_m;
         if (p_c.z() <= 0.05f) return false;
-        const Intrinsics& k = frame_.intrinsics;
-        const int x = static_cast<int>(std::floor(k.fx_px * p_c.x() / p_c.z() + k.cx_px + 0.5f));
-        const int y = static_cast<int>(std::floor(k.fy_px * p_c.y() / p_c.z() + k.cy_px + 0.5f));
+        const Eigen::Vector2f at_px = project(frame_.intrinsics, p_c);
+        const int x = static_cast<int>(std::floor(at_px.x() + 0.5f));
+        const int y = static_cast<int>(std::floor(at_px.y() + 0.5f));
         if (!uncovered_.mean.box.contains(x, y)) return false;
         const float now_m = uncovered_.mean.at(x, y);
         if (uncovered_.is_inside(x, y)) {

@@ -33,11 +33,6 @@ std::vector<std::uint16_t> nearest_real_mm(const ParticleTableFrame& frame, cons
 
 }  // namespace
 
-Eigen::Vector3f facing_normal(const InteractiveArea& area) {
-    const Eigen::Vector3f normal = area.axis_u_c_m.cross(area.axis_v_c_m).normalized();
-    return normal.dot(area.origin_c_m) > 0.0f ? Eigen::Vector3f(-normal) : normal;
-}
-
 Eigen::Vector3f tilted_down(const InteractiveArea& area, const Eigen::Vector2f& tilt) {
     return (tilt.x() * area.axis_u_c_m.normalized() + tilt.y() * area.axis_v_c_m.normalized() -
             facing_normal(area))

@@ -77,9 +77,6 @@ class ParticleTable {
     int frames_ = 0;
 };
 
-/// Unit normal of the area's plane, camera frame, towards the camera.
-Eigen::Vector3f facing_normal(const InteractiveArea& area);
-
 /// Gravity over a tilted table, camera frame, length 1: to the surface, and by `tilt` along the area's u and
 /// v.
 Eigen::Vector3f tilted_down(const InteractiveArea& area, const Eigen::Vector2f& tilt);

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "pipeline/particle_table.hpp"
-
 namespace touchstone {
 
 namespace {
@@ -13,21 +11,13 @@ namespace {
 constexpr int frames_until_old = 150;
 constexpr float dimmed = 0.45f;         // the scan behind the foreground that is to be seen
 constexpr float same_shift_m = 1e-4f;   // of the camera
-constexpr float same_turn = 1e-4f;      // radians, of the camera
-constexpr float light_height_m = 0.9f;  // over the area's plane
+constexpr float same_turn_rad = 1e-4f;  // of the camera
 constexpr int largest_splat_px = 5;
 constexpr std::array<float, 3> foreground_color{0.93f, 0.62f, 0.42f};  // that of the table's view
 
 bool is_same(const RigidTransform& a, const RigidTransform& b) {
     const RigidTransform T = a.inverse() * b;
-    return T.translation().norm() < same_shift_m && Eigen::AngleAxisf(T.linear()).angle() < same_turn;
-}
-
-/// Over the middle of the far left quarter of the area, as a lamp would hang.
-Eigen::Vector3f light_g_m(const SceneViewFrame& frame) {
-    const InteractiveArea& area = frame.area;
-    const Eigen::Vector3f place_c_m = area.origin_c_m + 0.25f * area.axis_u_c_m + 0.25f * area.axis_v_c_m;
-    return frame.T_g_c * (place_c_m + light_height_m * facing_normal(area));
+    return T.translation().norm() < same_shift_m && Eigen::AngleAxisf(T.linear()).angle() < same_turn_rad;
 }
 
 /// Rows of a picture without padding into a plane of a map.
@@ -38,16 +28,6 @@ void write_plane(Buffer<T>& map, const MapShape& shape, std::size_t plane, std::
     for (int y = 0; y < shape.height_px; ++y)
         std::ranges::copy(picture.subspan(static_cast<std::size_t>(y) * width, width),
                           &values[plane * map_pixels(shape) + map_index(shape, 0, y)]);
-}
-
-std::vector<float> without_padding(const Buffer<float>& map, const MapShape& shape) {
-    const auto values = map.map_read();
-    std::vector<float> picture;
-    for (int y = 0; y < shape.height_px; ++y) {
-        const float* row = &values[map_index(shape, 0, y)];
-        picture.insert(picture.end(), row, row + shape.width_px);
-    }
-    return picture;
 }
 
 void dim(ShadedView& picture) {
@@ -67,6 +47,18 @@ Splat splat_about(const Eigen::Vector2f& place_px, float size_px, const Intrinsi
     const auto first = [&](float at) { return static_cast<int>(std::floor(at - 0.5f * size + 0.5f)); };
     const int x = first(place_px.x()), y = first(place_px.y()), side = static_cast<int>(size);
     return {std::max(x, 0), std::max(y, 0), std::min(x + side, k.width_px), std::min(y + side, k.height_px)};
+}
+
+void draw_splat(const Splat& splat, float z_m, const std::array<std::uint8_t, 3>& rgb,
+                std::vector<float>& picture_m, ShadedView& picture) {
+    for (int y = splat.y0; y < splat.y1; ++y) {
+        for (int x = splat.x0; x < splat.x1; ++x) {
+            const auto at = static_cast<std::size_t>(y * picture.width_px + x);
+            if (picture_m[at] > 0.0f && picture_m[at] <= z_m) continue;
+            picture_m[at] = z_m;
+            std::ranges::copy(rgb, &picture.rgba[4 * at]);
+        }
+    }
 }
 
 std::array<std::uint8_t, 3> lit_foreground(float facing) {
@@ -110,17 +102,9 @@ void draw_foreground(const SceneViewFrame& frame, const Intrinsics& intrinsics, 
                 T_v_c.linear() *
                 Eigen::Vector3f(normals_c[at], normals_c[plane + at], normals_c[2 * plane + at]);
             const auto rgb = lit_foreground(normal_v.isZero() ? 1.0f : -normal_v.dot(p_v.normalized()));
-            const Eigen::Vector2f place_px(intrinsics.fx_px * p_v.x() / p_v.z() + intrinsics.cx_px,
-                                           intrinsics.fy_px * p_v.y() / p_v.z() + intrinsics.cy_px);
+            const Eigen::Vector2f place_px = project(intrinsics, p_v);
             const Splat splat = splat_about(place_px, 1.2f * live_m[at] / p_v.z(), intrinsics);
-            for (int v = splat.y0; v < splat.y1; ++v) {
-                for (int u = splat.x0; u < splat.x1; ++u) {
-                    const auto shown = static_cast<std::size_t>(v * intrinsics.width_px + u);
-                    if (picture_m[shown] > 0.0f && picture_m[shown] <= p_v.z()) continue;
-                    picture_m[shown] = p_v.z();
-                    std::ranges::copy(rgb, &picture.rgba[4 * shown]);
-                }
-            }
+            draw_splat(splat, p_v.z(), rgb, picture_m, picture);
         }
     }
 }
@@ -149,7 +133,7 @@ bool SceneView::is_good(const ViewWish& wish, const SceneViewFrame& frame) const
 
 void SceneView::render(const ViewWish& wish, const SceneViewFrame& frame) {
     ViewRendering& rendering = rendering_for(frame);
-    const ViewScene scene{wish.light_g_m.value_or(light_g_m(frame)), wish.sphere, upload(wish.mesh.get()),
+    const ViewScene scene{lamp_g_m(frame.area, frame.T_g_c), wish.sphere, upload(wish.mesh.get()),
                           upload_shadow(wish), wish.style};
     T_g_v_ = wish.T_g_v.value_or(frame.T_g_c);
     const bool full = !wish.moving;

@@ -10,6 +10,12 @@
 
 namespace touchstone {
 
+/// Where the lamp of rendered views hangs: 0.9 m over the plane of the area, its first corner's quarter.
+inline Eigen::Vector3f lamp_g_m(const InteractiveArea& area, const RigidTransform& T_g_c) {
+    const Eigen::Vector3f below_c_m = area.origin_c_m + 0.25f * (area.axis_u_c_m + area.axis_v_c_m);
+    return T_g_c * (below_c_m + 0.9f * facing_normal(area));
+}
+
 struct MirrorSphere {
     Eigen::Vector3f centre_g_m;
     float radius_m;
@@ -24,7 +30,7 @@ struct MeshPicture {
     std::vector<std::uint32_t> rgba;  ///< red in the lowest byte; alpha is not looked at
 };
 
-enum class ViewStyle { shaded, normals, colours, foreground };
+enum class ViewStyle { shaded, normals, colors, foreground };
 
 /// A picture of the scan that a scene wants. Wishes of one `version` want the same picture.
 struct ViewWish {
@@ -35,9 +41,7 @@ struct ViewWish {
     bool moving = false;  ///< more wishes follow soon: half quality will do
     std::optional<MirrorSphere> sphere = std::nullopt;
     std::shared_ptr<const MeshPicture> mesh = nullptr;  ///< in the pixels of that view; may be null
-    /// Where the lamp is; none: over the far left quarter of the area.
-    std::optional<Eigen::Vector3f> light_g_m = std::nullopt;
-    /// The mesh from the lamp, for its shadow, and the pose of that view; may be null.
+    /// The mesh from the lamp (lamp_g_m), for its shadow, and the pose of that view; may be null.
     std::shared_ptr<const MeshPicture> mesh_from_light = nullptr;
     RigidTransform T_g_l = RigidTransform::Identity();
 };

@@ -7,10 +7,6 @@ namespace touchstone {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-Vector2f project(const Intrinsics& k, const Vector3f& p) {
-    return {p.x() / p.z() * k.fx_px + k.cx_px, p.y() / p.z() * k.fy_px + k.cy_px};
-}
-
 SurfacePoint background_at(const TablePicture& picture, int x, int y) {
     const std::size_t at = index_of(picture, x, y), plane = map_pixels(picture.shape);
     SurfacePoint surface;

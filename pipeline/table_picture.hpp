@@ -35,8 +35,6 @@ inline std::size_t index_of(const TablePicture& picture, int x, int y) {
 inline bool in_picture(const TablePicture& picture, int x, int y) {
     return x >= 0 && y >= 0 && x < picture.shape.width_px && y < picture.shape.height_px;
 }
-/// Place in the picture of a point in front of the camera.
-Eigen::Vector2f project(const Intrinsics& intrinsics, const Eigen::Vector3f& point_c_m);
 SurfacePoint background_at(const TablePicture& picture, int x, int y);
 /// sigma_z of a measurement at this depth, for a surface that faces the camera.
 float sigma_z_m(const SensorNoise& noise, float depth_m);

@@ -23,6 +23,12 @@ inline Eigen::Vector3f back_project(const Intrinsics& k, int x_px, int y_px, flo
     return back_project(k, static_cast<float>(x_px), static_cast<float>(y_px), depth_m);
 }
 
+/// Where a camera point with z > 0 is seen: pixels, centres at whole numbers.
+inline Eigen::Vector2f project(const Intrinsics& k, const Eigen::Vector3f& point_c_m) {
+    return {point_c_m.x() / point_c_m.z() * k.fx_px + k.cx_px,
+            point_c_m.y() / point_c_m.z() * k.fy_px + k.cy_px};
+}
+
 /// One depth picture, borrowed for the call. Row-major, millimetres, 0 = invalid.
 struct DepthView {
     std::span<const std::uint16_t> depth_mm;
@@ -47,6 +53,12 @@ struct InteractiveArea {
 
 /// The same place on the surface in another camera frame.
 InteractiveArea transformed(const RigidTransform& T_new_old, const InteractiveArea& area);
+
+/// Unit normal of the area's plane, camera frame, towards the camera.
+inline Eigen::Vector3f facing_normal(const InteractiveArea& area) {
+    const Eigen::Vector3f normal = area.axis_u_c_m.cross(area.axis_v_c_m).normalized();
+    return normal.dot(area.origin_c_m) > 0.0f ? Eigen::Vector3f(-normal) : normal;
+}
 
 /// Places of a point of the camera frame in the area: 0..1 inside it, not clamped.
 Eigen::Vector2f area_uv(const InteractiveArea& area, const Eigen::Vector3f& point_c_m);

@@ -118,7 +118,7 @@ MeshRasteriser::Box MeshRasteriser::box_of(const RigidTransform& T_v_m, float sc
     for (const Eigen::Vector3f& position : positions_) {
         const Eigen::Vector3f p = T_v_m * (scale_m * position);
         if (p.z() < nearest_m) return {0, 0, k.width_px, k.height_px};
-        box.extend(Eigen::Vector2f(k.fx_px * p.x() / p.z() + k.cx_px, k.fy_px * p.y() / p.z() + k.cy_px));
+        box.extend(project(k, p));
     }
     if (box.isEmpty()) return {0, 0, 0, 0};
     const auto within = [](float at, int size) {

@@ -13,16 +13,10 @@ constexpr float least_elevation_rad = 0.12f, most_elevation_rad = 1.55f;
 constexpr float nearest = 0.25f, farthest = 3.f;  // of the first distance
 constexpr float fallback_distance_m = 1.f;
 
-/// Towards the camera.
-Eigen::Vector3f facing_normal_c(const InteractiveArea& area) {
-    const Eigen::Vector3f normal = area.axis_u_c_m.cross(area.axis_v_c_m).normalized();
-    return normal.dot(area.origin_c_m) > 0.f ? Eigen::Vector3f(-normal) : normal;
-}
-
 }  // namespace
 
 Orbit::Orbit(const TableFrame& frame) : intrinsics_(frame.intrinsics), T_g_c_(frame.T_g_c) {
-    const Eigen::Vector3f normal_c = facing_normal_c(frame.area);
+    const Eigen::Vector3f normal_c = facing_normal(frame.area);
     up_g_ = T_g_c_.linear() * normal_c;
     // The line of sight meets the plane where n . z = n . origin.
     const float ahead = normal_c.z();

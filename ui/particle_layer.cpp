@@ -18,9 +18,9 @@ constexpr int ids_per_color = 7;  // poured together, in one colour
 
 /// Middle and radius in pixels of the view, whose left edge is 0, and depth in metres.
 std::array<float, 4> disc_of(const Intrinsics& k, const Eigen::Vector3f& middle_c_m, float radius_m) {
+    const Eigen::Vector2f middle_px = project(k, middle_c_m);
     const float z_m = middle_c_m.z();
-    return {k.fx_px * middle_c_m.x() / z_m + k.cx_px + 0.5f, k.fy_px * middle_c_m.y() / z_m + k.cy_px + 0.5f,
-            k.fx_px * radius_m / z_m, z_m};
+    return {middle_px.x() + 0.5f, middle_px.y() + 0.5f, k.fx_px * radius_m / z_m, z_m};
 }
 
 }  // namespace

@@ -68,8 +68,7 @@ Vector3f SurfaceGeometry::point_g_m(const Fingertip& tip) const {
 std::optional<Vector2f> SurfaceGeometry::pixel_px(const Vector3f& point_g_m) const {
     const Vector3f c = T_g_c_.inverse(Eigen::Isometry) * point_g_m;
     if (c.z() < nearest_m) return std::nullopt;
-    return Vector2f(intrinsics_.fx_px * c.x() / c.z() + intrinsics_.cx_px,
-                    intrinsics_.fy_px * c.y() / c.z() + intrinsics_.cy_px);
+    return project(intrinsics_, c);
 }
 
 float SurfaceGeometry::length_px(const Vector3f& point_g_m, float length_mm) const {

@@ -22,8 +22,8 @@ TableThings::TableThings(const TableFrame& frame)
     : origin_g_m_(frame.T_g_c * frame.area.origin_c_m),
       u_g_m_(frame.T_g_c.linear() * frame.area.axis_u_c_m),
       v_g_m_(frame.T_g_c.linear() * frame.area.axis_v_c_m),
-      up_g_(u_g_m_.cross(v_g_m_).normalized()) {
-    if (up_g_.dot(frame.T_g_c.translation() - origin_g_m_) < 0.f) up_g_ = -up_g_;
+      up_g_(frame.T_g_c.linear() * facing_normal(frame.area)),
+      light_g_m_(lamp_g_m(frame.area, frame.T_g_c)) {
     reset();
 }
 
@@ -46,17 +46,13 @@ RigidTransform TableThings::T_g_m() const {
     return T_g_m;
 }
 
-Vector3f TableThings::light_g_m() const {
-    return origin_g_m_ + 0.25f * u_g_m_ + 0.25f * v_g_m_ + lamp_m * up_g_;
-}
-
 RigidTransform TableThings::T_g_l() const {
-    const Vector3f z = (middle_g_m(model) - light_g_m()).normalized();
+    const Vector3f z = (middle_g_m(model) - light_g_m_).normalized();
     const Vector3f across = std::abs(z.dot(u_g_m_.normalized())) < 0.9f ? u_g_m_ : v_g_m_;
     const Vector3f y = z.cross(across).normalized();
     RigidTransform T_g_l = RigidTransform::Identity();
     T_g_l.linear() << y.cross(z), y, z;
-    T_g_l.translation() = light_g_m();
+    T_g_l.translation() = light_g_m_;
     return T_g_l;
 }
 

@@ -35,9 +35,7 @@ class TableThings {
     Eigen::Vector3f middle_g_m(int thing) const;
     /// Takes the model's own frame (y up, on its foot) to the global one.
     RigidTransform T_g_m() const;
-    /// A lamp over the far left quarter of the area.
-    Eigen::Vector3f light_g_m() const;
-    /// The lamp's look at the model, whose shadow falls along it.
+    /// The look of the lamp at the model, whose shadow falls along it.
     RigidTransform T_g_l() const;
 
   private:
@@ -53,7 +51,7 @@ class TableThings {
     void drag(int thing);
     float height_m(const Eigen::Vector3f& point_g_m) const { return up_g_.dot(point_g_m - origin_g_m_); }
 
-    Eigen::Vector3f origin_g_m_, u_g_m_, v_g_m_, up_g_;
+    Eigen::Vector3f origin_g_m_, u_g_m_, v_g_m_, up_g_, light_g_m_;
     std::array<Thing, 2> things_{};
     std::map<int, Finger> fingers_;
     bool is_changed_ = false;

@@ -42,9 +42,14 @@ std::string part_of(const std::string& path) {
 std::vector<std::string> allowed_for(const std::string& part) {
     if (part == "app") return {"ui", "pipeline", "platform", "kernels/shared_types.h"};
     if (part == "ui") {
-        return {"platform/display",           "platform/system",
-                "pipeline/types.hpp",         "pipeline/touch_event.hpp",
-                "pipeline/particle_view.hpp", "pipeline/scene_wish.hpp",
+        return {"platform/display",
+                "platform/system",
+                "pipeline/types.hpp",
+                "pipeline/touch_event.hpp",
+                "pipeline/particle_view.hpp",
+                "pipeline/scene_wish.hpp",
+                "pipeline/projector_model.hpp",
+                "pipeline/surface_grid.hpp",
                 "kernels/shared_types.h"};
     }
     if (part == "pipeline") return {"platform/opencl", "platform/system", "kernels"};

@@ -2,6 +2,8 @@
 // fit.
 #include "pipeline/reconstruction.hpp"
 
+#include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 
 #include "tests/support/reconstructed_scene.hpp"
@@ -77,6 +79,45 @@ TEST(Reconstruction, TheSurfaceIsPredictedAnewEveryThirdFrame) {
     EXPECT_EQ(count_frames(scene, "colour"), young + 3);
     ASSERT_NE(scene.reconstruction.volume().colors(), nullptr);
     EXPECT_FALSE(scene.reconstruction.volume().colors()->bricks().empty());
+}
+
+/// Layers of bricks along y in which a frame changed a voxel: even, odd.
+std::array<int, 2> changed_bricks(const ReconstructedScene& scene, const std::vector<std::int32_t>& before) {
+    const TsdfVolume& volume = scene.reconstruction.volume();
+    const std::vector<std::int32_t> after = scene.voxels();
+    std::array<int, 2> changed{};
+    for (std::size_t brick = 0; brick < volume.brick_count(); ++brick) {
+        const int slot = volume.slot(static_cast<int>(brick));
+        if (slot < 0) continue;
+        const auto first = static_cast<std::ptrdiff_t>(slot) * BRICK_VOXELS;
+        if (std::equal(after.begin() + first, after.begin() + first + BRICK_VOXELS, before.begin() + first))
+            continue;
+        const auto side = static_cast<std::size_t>(volume.params().bricks_per_side);
+        ++changed[brick / side % side % 2];
+    }
+    return changed;
+}
+
+/// A young model as a whole, then every second layer, in turns. Free space before a surface still gains
+/// weight.
+TEST(Reconstruction, ASettledModelIsFusedInTwoFrames) {
+    ReconstructedScene scene(test::corner());
+    for (int frame = 0; frame < settled; ++frame) (void)scene.process(still);
+    std::vector<std::int32_t> before = scene.voxels();
+    (void)scene.process(still);
+    const auto young = changed_bricks(scene, before);
+    EXPECT_GT(young[0], 20);
+    EXPECT_GT(young[1], 20);
+    for (int frame = settled + 1; frame < well_settled; ++frame) (void)scene.process(still);
+    std::array<std::array<int, 2>, 2> turns{};
+    for (auto& turn : turns) {
+        before = scene.voxels();
+        (void)scene.process(still);
+        turn = changed_bricks(scene, before);
+    }
+    EXPECT_EQ(std::min(turns[0][0], turns[0][1]), 0);
+    EXPECT_EQ(std::min(turns[1][0], turns[1][1]), 0);
+    for (const std::size_t parity : {0U, 1U}) EXPECT_GT(turns[0][parity] + turns[1][parity], 20);
 }
 
 /// By 2.5 degrees a frame two frames turn by more than 4.

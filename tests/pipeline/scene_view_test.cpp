@@ -76,6 +76,15 @@ TEST_F(SceneViewTest, AKnockedCameraSeesItsPictureAnewAndAViewOfItsOwnDoesNot) {
     EXPECT_EQ(scene_view_.renderings(), 3);
 }
 
+/// What was put down meanwhile is to be seen.
+TEST_F(SceneViewTest, AnOldPictureIsRenderedAnew) {
+    const ViewWish wish{.version = 1};
+    for (int i = 0; i < 151; ++i) scene_view_.see(wish, frame());
+    EXPECT_EQ(scene_view_.renderings(), 1);
+    scene_view_.see(wish, frame());
+    EXPECT_EQ(scene_view_.renderings(), 2);
+}
+
 /// The same picture by both ways: the prediction lit, or cast anew from that pose.
 TEST_F(SceneViewTest, ThePredictionOfTheCameraIsLitAsItIs) {
     std::ranges::fill(foreground_, std::uint8_t{0});

@@ -116,7 +116,7 @@ TEST_F(ViewRenderingTest, NormalsAreShownAsColours) {
 
 /// Neither light nor shadow: the volume's own, to two of 255.
 TEST_F(ViewRenderingTest, ColoursAreShownUnlit) {
-    render({.light_g_m = light_g_m, .style = ViewStyle::colours});
+    render({.light_g_m = light_g_m, .style = ViewStyle::colors});
     int compared = 0;
     for_each_pixel([&](int x, int y) {
         const auto seen = hit(x, y);

@@ -116,7 +116,7 @@ TEST_F(InspectTest, ButtonsChooseTheStyleAndColoursOnlyWhereThereAreSome) {
     answer({90, 90, 90}, true);
     present();
     tap(button_px(2));
-    EXPECT_EQ(wish().style, ViewStyle::colours);
+    EXPECT_EQ(wish().style, ViewStyle::colors);
     tap(button_px(3));
     EXPECT_EQ(wish().style, ViewStyle::foreground);
     EXPECT_TRUE(wish().T_g_v->isApprox(frame_.T_g_c, 1e-5f)) << "a finger on a button turns nothing";

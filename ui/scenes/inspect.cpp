@@ -9,8 +9,6 @@ namespace touchstone {
 
 namespace {
 
-constexpr float rest_s = 0.15f;  // after the last change: then the picture is worth its full quality
-
 struct StyleRow {
     ViewStyle style;
     Icon icon;
@@ -20,7 +18,7 @@ struct StyleRow {
 /// In the order of the buttons, which have these ids.
 constexpr std::array styles{StyleRow{ViewStyle::shaded, Icon::shaded, "Shaded"},
                             StyleRow{ViewStyle::normals, Icon::normals, "Normals"},
-                            StyleRow{ViewStyle::colours, Icon::each_finger, "Colours"},
+                            StyleRow{ViewStyle::colors, Icon::each_finger, "Colours"},
                             StyleRow{ViewStyle::foreground, Icon::hand, "Hands"}};
 
 }  // namespace
@@ -35,7 +33,7 @@ void InspectScene::set_buttons() {
         button.icon = styles[i].icon;
         button.label = styles[i].label;
         button.selected = styles[i].style == style_;
-        button.enabled = styles[i].style != ViewStyle::colours || has_colors_;
+        button.enabled = styles[i].style != ViewStyle::colors || has_colors_;
         buttons.push_back(button);
     }
     styles_.set(std::move(buttons));
@@ -58,7 +56,7 @@ void InspectScene::show(const TableFrame& frame) {
         config.mm_per_px = surface_.mm_per_px(surface_.room().center());
         config.join_mm = 1000.f;  // there is one thing to turn: all fingers are of one gesture
         gestures_.emplace(config);
-        changed();
+        picture_.change();
     }
     picture_.show(frame);
     if (picture_.view() == nullptr || has_colors_ == picture_.view()->has_colors) return;
@@ -69,11 +67,6 @@ void InspectScene::show(const TableFrame& frame) {
 void InspectScene::on_touch(const TouchEvent& event) {
     if (styles_.on_touch(event) || !gestures_) return;
     gestures_->on_touch(event, now_us_);
-}
-
-void InspectScene::changed() {
-    ++version_;
-    since_change_s_ = 0.f;
 }
 
 void InspectScene::follow(const Gesture& gesture) {
@@ -88,16 +81,15 @@ void InspectScene::follow(const Gesture& gesture) {
         orbit_->reset();
     else
         return;
-    changed();
+    picture_.change();
 }
 
 void InspectScene::update(float dt_s) {
-    since_change_s_ += dt_s;
+    picture_.pass_time(dt_s);
     for (const int id : styles_.update(now_us_)) {
         style_ = styles[static_cast<std::size_t>(id)].style;
         set_buttons();
-        changed();
-        since_change_s_ = rest_s;
+        picture_.change();
     }
     if (!gestures_) return;
     for (const Gesture& gesture : gestures_->update(now_us_)) follow(gesture);
@@ -106,11 +98,9 @@ void InspectScene::update(float dt_s) {
 SceneWish InspectScene::wish() const {
     SceneWish wish;
     if (!orbit_) return wish;
-    wish.view.emplace();
-    wish.view->version = version_;
+    wish.view = picture_.wish();
     wish.view->T_g_v = orbit_->T_g_v();
     wish.view->style = style_;
-    wish.view->moving = since_change_s_ < rest_s;
     return wish;
 }
 

@@ -32,7 +32,6 @@ class InspectScene : public Scene {
   private:
     void set_buttons();
     void follow(const Gesture& gesture);
-    void changed();
 
     PixelSize view_;
     SurfaceGeometry surface_;
@@ -41,8 +40,6 @@ class InspectScene : public Scene {
     std::optional<Orbit> orbit_;  // from the first frame with an area on
     ViewStyle style_ = ViewStyle::shaded;
     bool has_colors_ = false;
-    int version_ = 1;
-    float since_change_s_ = 0.f;
     RenderedPicture picture_;
     std::uint64_t now_us_ = 0;
 };

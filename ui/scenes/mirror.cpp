@@ -9,7 +9,6 @@ namespace {
 /// Sees what is up to 50 cm beside the model from a lamp at 90 cm.
 constexpr Intrinsics lamp_intrinsics{460.f, 460.f, 255.5f, 255.5f, 512, 512, {0, 0}};
 constexpr float same_pose = 1e-6f;  // relative: a camera at rest has the very same pose in each frame
-constexpr float rest_s = 0.15f;     // after the last change: then the picture is worth its full quality
 
 }  // namespace
 
@@ -58,13 +57,12 @@ void MirrorScene::on_touch(const TouchEvent& event) {
 }
 
 void MirrorScene::changed() {
-    ++version_;
-    since_change_s_ = 0.f;
+    picture_.change();
     mesh_is_old_ = true;
 }
 
 void MirrorScene::update(float dt_s) {
-    since_change_s_ += dt_s;
+    picture_.pass_time(dt_s);
     const bool resets = !tools_.update(now_us_).empty();
     if (!things_) return;
     if (resets) things_->reset();
@@ -80,13 +78,10 @@ void MirrorScene::update(float dt_s) {
 SceneWish MirrorScene::wish() const {
     SceneWish wish;
     if (!things_) return wish;
-    wish.view.emplace();
-    wish.view->version = version_;
-    wish.view->moving = since_change_s_ < rest_s;
+    wish.view = picture_.wish();
     wish.view->sphere =
         MirrorSphere{things_->middle_g_m(TableThings::ball), 0.5f * things_->size_m(TableThings::ball)};
     wish.view->mesh = mesh_;
-    wish.view->light_g_m = things_->light_g_m();
     wish.view->mesh_from_light = mesh_from_light_;
     wish.view->T_g_l = things_->T_g_l();
     return wish;

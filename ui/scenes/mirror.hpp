@@ -49,8 +49,6 @@ class MirrorScene : public Scene {
     RenderedPicture picture_;
     RigidTransform T_g_c_ = RigidTransform::Identity();
     bool mesh_is_old_ = true;
-    int version_ = 0;
-    float since_change_s_ = 0.f;
     std::uint64_t now_us_ = 0;
 };
 

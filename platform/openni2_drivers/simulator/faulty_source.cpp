@@ -61,7 +61,7 @@ bool FaultySource::next(SourceFrame& frame) {
     }
     if (faults_.tear_s >= 0 && time_s_ >= faults_.tear_s) {
         tear(frame.depth_mm, last_mm_);
-        faults_.tear_s = -1.0;
+        faults_.tear_s = faults_.tear_every_s > 0 ? faults_.tear_s + faults_.tear_every_s : -1.0;
     }
     last_mm_ = made_.depth_mm;
     last_rgb_ = made_.color_rgb;

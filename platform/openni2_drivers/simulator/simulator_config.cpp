@@ -15,7 +15,7 @@ constexpr std::string_view key_names =
     "seed, hands, frames, noise, drift, human, sleeve, gestures, truth, masks, height, tilt, empty, rate, "
     "poses, motion, "
     "person, person_s, mesh, size_m, grip, distance, object, put_s, take_s, cycle_s, knock_s, knock_deg, "
-    "knock_mm, unplug_at, stall_at, freeze_at, tear, clock_jump, fault_s, faults_every";
+    "knock_mm, unplug_at, stall_at, freeze_at, tear, tear_every, clock_jump, fault_s, faults_every";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -194,10 +194,11 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
 }
 
 bool set_fault(SimulatorFaults& faults, std::string_view key, std::string_view value) {
-    const Names<double*, 7> seconds{{{"unplug_at", &faults.unplug_s},
+    const Names<double*, 8> seconds{{{"unplug_at", &faults.unplug_s},
                                      {"stall_at", &faults.stall_s},
                                      {"freeze_at", &faults.freeze_s},
                                      {"tear", &faults.tear_s},
+                                     {"tear_every", &faults.tear_every_s},
                                      {"clock_jump", &faults.clock_jump_s},
                                      {"fault_s", &faults.fault_s},
                                      {"faults_every", &faults.every_s}}};

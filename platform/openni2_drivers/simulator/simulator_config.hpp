@@ -45,6 +45,7 @@ struct SimulatorFaults {
     double stall_s = -1.0;       ///< no pictures for fault_s, or until its stream is restarted
     double freeze_s = -1.0;      ///< the same picture again and again, likewise
     double tear_s = -1.0;        ///< one picture whose lower half is the one before
+    double tear_every_s = 0.0;   ///< and others so far apart; 0: that one
     double clock_jump_s = -1.0;  ///< the clock goes on an hour later
     double fault_s = 2.0;        ///< how long; 0: until it is restarted
     double every_s =

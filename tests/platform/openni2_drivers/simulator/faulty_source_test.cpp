@@ -111,6 +111,17 @@ TEST(FaultySource, TearsOnePicture) {
     }
 }
 
+TEST(FaultySource, TearsOneInSoManySeconds) {
+    SimulatorFaults faults;
+    faults.tear_s = 0.2;
+    faults.tear_every_s = 0.3;
+    Faulty faulty(faults);
+    for (int i = 0; i < 9; ++i) {
+        const bool torn = i == 2 || i == 5 || i == 8;
+        EXPECT_EQ(faulty.next().depth_mm[2], torn ? i - 1 : i) << i;
+    }
+}
+
 TEST(FaultySource, ClockJumpsByAnHour) {
     SimulatorFaults faults;
     faults.clock_jump_s = 0.1;
@@ -130,11 +141,12 @@ TEST(FaultySource, IsPulledOut) {
 
 TEST(FaultySource, KeysOfTheUri) {
     const SimulatorConfig config =
-        parse_simulator_uri("flat?unplug_at=1&stall_at=2&freeze_at=3&tear=4&clock_jump=5&fault_s=0");
+        parse_simulator_uri("flat?unplug_at=1&stall_at=2&freeze_at=3&tear=4&tear_every=6&clock_jump=5&fault_s=0");
     EXPECT_EQ(config.faults.unplug_s, 1);
     EXPECT_EQ(config.faults.stall_s, 2);
     EXPECT_EQ(config.faults.freeze_s, 3);
     EXPECT_EQ(config.faults.tear_s, 4);
+    EXPECT_EQ(config.faults.tear_every_s, 6);
     EXPECT_EQ(config.faults.clock_jump_s, 5);
     EXPECT_EQ(config.faults.fault_s, 0);
     EXPECT_FALSE(parse_simulator_uri("flat").faults.any());
