@@ -28,42 +28,13 @@ int CrossStep::next_cross() const { return static_cast<int>(touches_.size()) % c
 int CrossStep::wanted() const { return crosses * (config_.rounds + rounds_); }
 
 void CrossStep::take(std::span<const TouchEvent> touches, const InteractiveArea& area) {
-    if (result_) return;
-    for (const TouchEvent& event : touches) {
-        if (event.phase != TouchPhase::up) {
-            follow(event);
-            continue;
-        }
-        const auto ended = std::ranges::find(contacts_, event.tip.id, &Contact::id);
-        if (ended == contacts_.end()) continue;
-        const Contact contact = *ended;
-        contacts_.erase(ended);
-        finish(contact, area);
-    }
+    for (const EndedContact& contact : contacts_.take(touches))
+        if (!result_) finish(contact, area);
 }
 
-void CrossStep::follow(const TouchEvent& event) {
-    const Fingertip& tip = event.tip;
-    if (tip.state == FingerState::hidden) return;
-    auto at = std::ranges::find(contacts_, tip.id, &Contact::id);
-    if (at == contacts_.end()) {
-        Contact contact;
-        contact.id = tip.id;
-        contact.sum = {Vector3f::Zero(), Vector3f::Zero(), Vector3f::Zero()};
-        contact.first_c_m = tip.surface_c_m;
-        at = contacts_.insert(contacts_.end(), contact);
-    }
-    ++at->frames;
-    at->sum.surface_c_m += tip.surface_c_m;
-    at->sum.normal_c += tip.normal_c;
-    at->sum.axis_c += tip.axis_c;
-    at->drag_m = std::max(at->drag_m, (tip.surface_c_m - at->first_c_m).norm());
-}
-
-void CrossStep::finish(const Contact& contact, const InteractiveArea& area) {
+void CrossStep::finish(const EndedContact& contact, const InteractiveArea& area) {
     const int cross = next_cross();
-    const TouchPlace mean{contact.sum.surface_c_m / static_cast<float>(contact.frames),
-                          contact.sum.normal_c.normalized(), contact.sum.axis_c.normalized()};
+    const TouchPlace& mean = contact.mean;
     if (contact.drag_m > config_.most_drag_m) {
         remark_ = "That finger moved: touch, hold still, lift.";
         return;

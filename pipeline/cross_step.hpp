@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/contact_means.hpp"
 #include "pipeline/touch_bias.hpp"
 #include "pipeline/touch_event.hpp"
 #include "pipeline/types.hpp"
@@ -36,21 +37,12 @@ class CrossStep {
     const std::optional<TouchBiasFit>& result() const { return result_; }
 
   private:
-    struct Contact {
-        int id = 0;
-        int frames = 0;
-        TouchPlace sum;  ///< over the frames
-        Eigen::Vector3f first_c_m{0.f, 0.f, 0.f};
-        float drag_m = 0.f;
-    };
-
-    void follow(const TouchEvent& event);
-    void finish(const Contact& contact, const InteractiveArea& area);
+    void finish(const EndedContact& contact, const InteractiveArea& area);
     int next_cross() const;
     int wanted() const;
 
     CrossStepConfig config_;
-    std::vector<Contact> contacts_;
+    ContactMeans contacts_;
     std::vector<CrossTouch> touches_;
     std::string remark_;  ///< such as why the last touch did not count
     std::optional<TouchBiasFit> result_;

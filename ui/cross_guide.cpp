@@ -9,6 +9,8 @@ namespace {
 constexpr float arm_px = 22.f;
 constexpr float words_share = 0.8f;  // of the view's width
 
+}  // namespace
+
 void draw_cross(Canvas& canvas, const Eigen::Vector2f& at_px) {
     const float arm = arm_px * canvas.scale(), width = style::ring_px * canvas.scale();
     const auto both_arms = [&](float width_px, style::Color color) {
@@ -19,8 +21,6 @@ void draw_cross(Canvas& canvas, const Eigen::Vector2f& at_px) {
     both_arms(width, style::white);
     canvas.ring(at_px, arm, width, style::accent);
 }
-
-}  // namespace
 
 void draw_cross_guide(Canvas& canvas, const ViewMapping& view, const CrossGuide& guide) {
     draw_cross(canvas, view.to_display(guide.pixel_px));

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pipeline/contact_means.hpp"
+#include "pipeline/projector_fit.hpp"
+
+namespace touchstone {
+
+struct ProjectorCrossesConfig {
+    int columns = 4, rows = 3;
+    float margin = 0.12f;        ///< of the picture's width and height, left free at its edges
+    float patience_s = 20.0f;    ///< a cross that nobody touches is passed over: it may lie beside the table
+    float most_drag_m = 0.012f;  ///< a finger that moves more while it touches is no touch of a point
+};
+
+/// "Touch the crosses": marks in the projector's picture are shown one after the other and touched.
+class ProjectorCrosses {
+  public:
+    ProjectorCrosses(int width_px, int height_px, const ProjectorCrossesConfig& config = {});
+
+    /// To be shown now; none once it is over.
+    std::optional<Eigen::Vector2f> cross_px() const;
+    /// The touches of a frame.
+    void take(std::span<const TouchEvent> touches, const RigidTransform& T_g_c, std::uint64_t timestamp_us);
+    std::string words() const;
+    int shown() const { return next_; }
+    int wanted() const { return static_cast<int>(crosses_px_.size()); }
+    const std::vector<ProjectorMatch>& matches() const { return matches_; }
+
+  private:
+    void go_on(std::uint64_t timestamp_us);
+
+    ProjectorCrossesConfig config_;
+    std::vector<Eigen::Vector2f> crosses_px_;
+    ContactMeans contacts_;
+    std::vector<ProjectorMatch> matches_;
+    std::string remark_;  ///< such as why the last touch did not count
+    int next_ = 0;
+    std::optional<std::uint64_t> since_us_;
+};
+
+}  // namespace touchstone

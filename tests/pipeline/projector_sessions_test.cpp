@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include "pipeline/gray_code_session.hpp"
+#include "pipeline/projector_crosses.hpp"
+#include "platform/system/error.hpp"
+
+namespace touchstone {
+namespace {
+
+constexpr GrayCode code{64, 32, 8};
+constexpr int width_px = 32, height_px = 16;
+constexpr GrayCodeSessionConfig config{
+    .settle_frames = 2, .frames_per_pattern = 2, .quiet_frames = 3, .decode = {}};
+
+/// A camera whose pixel is two of the projector's; its picture is one frame late.
+class LateCamera {
+  public:
+    std::vector<std::uint8_t> see(const GrayCodeSession& session, bool hand = false) {
+        const int late = last_;
+        last_ = session.pattern().value_or(0);
+        std::vector<std::uint8_t> rgb;
+        for (int y = 0; y < height_px; ++y)
+            for (int x = 0; x < width_px; ++x)
+                rgb.insert(rgb.end(), 3, hand ? 90 : code.is_lit(late, 2 * x, 2 * y) ? 200 : 40);
+        return rgb;
+    }
+
+  private:
+    int last_ = 0;
+};
+
+void expect_every_cell_right(const CellPicture& cells) {
+    for (int y = 0; y < height_px; ++y) {
+        for (int x = 0; x < width_px; ++x) {
+            const auto pixel = static_cast<std::size_t>(y * width_px + x);
+            EXPECT_EQ(cells.column[pixel], x / 4) << x << " " << y;
+            EXPECT_EQ(cells.row[pixel], y / 4) << x << " " << y;
+        }
+    }
+}
+
+TEST(GrayCodeSession, ShowsEachPatternUntilItWasSeen) {
+    GrayCodeSession session(code, config);
+    LateCamera camera;
+    int frames = 0;
+    for (; session.pattern() && frames < 1000; ++frames) session.take(camera.see(session), false);
+    EXPECT_EQ(frames, 4 * code.patterns());
+    expect_every_cell_right(session.cells(width_px, height_px));
+    EXPECT_EQ(session.disturbances(), 0);
+}
+
+/// A hand covers everything for ten frames, and is noticed a frame late.
+TEST(GrayCodeSession, AHandThatComesInIsNoticedAndThePatternsRepeated) {
+    for (int begins = 5; begins < 40; begins += 3) {
+        GrayCodeSession session(code, config);
+        LateCamera camera;
+        int frames = 0;
+        for (; session.pattern() && frames < 1000; ++frames) {
+            const bool covers = frames >= begins && frames < begins + 10;
+            const bool noticed = frames > begins && frames < begins + 10;
+            session.take(camera.see(session, covers), noticed);
+            EXPECT_TRUE(session.is_disturbed() || !noticed);
+        }
+        EXPECT_EQ(session.disturbances(), 1);
+        EXPECT_FALSE(session.is_disturbed());
+        expect_every_cell_right(session.cells(width_px, height_px));
+    }
+}
+
+TEST(GrayCodeSession, WhatDisturbsForEverIsSaid) {
+    GrayCodeSession session(code, config);
+    LateCamera camera;
+    const auto disturb_for_ever = [&] {
+        for (int frame = 0; frame < 10000; ++frame) session.take(camera.see(session), frame % 6 == 0);
+    };
+    EXPECT_THROW(disturb_for_ever(), Error);
+}
+
+TEST(GrayCodeSession, PicturesOfAnotherSizeAreRefused) {
+    GrayCodeSession session(code, config);
+    LateCamera camera;
+    for (int frame = 0; frame < 5; ++frame) session.take(camera.see(session), false);
+    const std::vector<std::uint8_t> small(30);
+    EXPECT_THROW(for (int frame = 0; frame < 5; ++frame) session.take(small, false), Error);
+}
+
+TouchEvent touch_at(const Eigen::Vector3f& at_c_m, TouchPhase phase) {
+    TouchEvent event;
+    event.tip.id = 4;
+    event.tip.surface_c_m = at_c_m;
+    event.tip.state = FingerState::down;
+    event.phase = phase;
+    return event;
+}
+
+void tap(ProjectorCrosses& crosses, const Eigen::Vector3f& at_c_m, const Eigen::Vector3f& up_c_m,
+         std::uint64_t time_us) {
+    RigidTransform T_g_c = RigidTransform::Identity();
+    T_g_c.translation() = Eigen::Vector3f(0.0f, 0.0f, 2.0f);
+    const TouchEvent down[] = {touch_at(at_c_m, TouchPhase::down)},
+                     move[] = {touch_at(up_c_m, TouchPhase::move)}, up[] = {touch_at(up_c_m, TouchPhase::up)};
+    crosses.take(down, T_g_c, time_us);
+    crosses.take(move, T_g_c, time_us + 33'000);
+    crosses.take(up, T_g_c, time_us + 66'000);
+}
+
+TEST(ProjectorCrosses, EachTouchIsAMatchInTheScansFrame) {
+    ProjectorCrosses crosses(1280, 800, {.columns = 2, .rows = 2});
+    std::vector<Eigen::Vector2f> shown_px;
+    std::uint64_t time_us = 0;
+    while (const auto cross = crosses.cross_px()) {
+        shown_px.push_back(*cross);
+        const Eigen::Vector3f at(0.001f * cross->x(), 0.001f * cross->y(), 1.0f);
+        tap(crosses, at, at + Eigen::Vector3f(0.002f, 0.0f, 0.0f), time_us += 1'000'000);
+    }
+    ASSERT_EQ(crosses.matches().size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const ProjectorMatch& match = crosses.matches()[i];
+        EXPECT_EQ(match.pixel_px, shown_px[i]);
+        EXPECT_NEAR(match.point_g_m.x(), 0.001f * shown_px[i].x() + 0.001f, 1e-5f)
+            << "the mean of two frames";
+        EXPECT_NEAR(match.point_g_m.z(), 3.0f, 1e-5f);
+    }
+    EXPECT_TRUE(shown_px[0].isApprox(Eigen::Vector2f(153.6f, 96.0f))) << shown_px[0];
+}
+
+TEST(ProjectorCrosses, AFingerThatMovedDoesNotCount) {
+    ProjectorCrosses crosses(1280, 800);
+    tap(crosses, {0.0f, 0.0f, 1.0f}, {0.03f, 0.0f, 1.0f}, 0);
+    EXPECT_TRUE(crosses.matches().empty());
+    EXPECT_EQ(crosses.shown(), 0);
+    EXPECT_NE(crosses.words().find("moved"), std::string::npos);
+}
+
+TEST(ProjectorCrosses, ACrossThatNobodyCanReachIsPassedOver) {
+    ProjectorCrosses crosses(1280, 800, {.patience_s = 5.0f});
+    for (std::uint64_t time_us = 0; time_us < 5'500'000; time_us += 33'000)
+        crosses.take({}, RigidTransform::Identity(), time_us);
+    EXPECT_EQ(crosses.shown(), 1);
+    EXPECT_TRUE(crosses.matches().empty());
+}
+
+}  // namespace
+}  // namespace touchstone
