@@ -35,6 +35,11 @@ struct RecordArguments {
     bool color = false;
 };
 
+struct CalibrateArguments {
+    SourceArguments source;
+    std::string method, display, json;
+};
+
 struct BenchArguments {
     SourceArguments source;
     std::string json;
@@ -85,11 +90,14 @@ CLI::Option* add_source_options(CLI::App& app, SourceArguments& arguments) {
     return sensor;
 }
 
+void add_display(CLI::App& app, std::string& display) {
+    app.add_option("--display", display, "headless or window; default: a window where there is a desktop")
+        ->check(CLI::IsMember({"headless", "window"}));
+}
+
 void add_run_options(CLI::App& app, RunArguments& arguments) {
     add_source_options(app, arguments.source);
-    app.add_option("--display", arguments.display,
-                   "headless or window; default: a window where there is a desktop")
-        ->check(CLI::IsMember({"headless", "window"}));
+    add_display(app, arguments.display);
     app.add_option("--scene", arguments.scene, "what the table shows")->check(CLI::IsMember(scene_names()));
     app.add_option("--events", arguments.events, "touches as JSON lines, - for standard output");
     app.add_option("--maps", arguments.maps, "folder for foreground and touch maps, PNG");
@@ -124,6 +132,19 @@ CLI::App* add_track(CLI::App& app, ModelArguments& arguments) {
     add_scan_file(*track, arguments);
     add_mesh_file(*track, arguments);
     return track;
+}
+
+CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& arguments) {
+    CLI::App* calibrate = app.add_subcommand("calibrate", "find where the projector's picture lies");
+    add_source_options(*calibrate, arguments.source);
+    calibrate
+        ->add_option("--method", arguments.method,
+                     "graycode: the colour camera looks at stripes (default); touch: crosses are touched")
+        ->check(CLI::IsMember({"graycode", "touch"}));
+    add_display(*calibrate, arguments.display);
+    calibrate->add_option("--json", arguments.json, "file for the result, - for standard output")
+        ->check(not_empty);
+    return calibrate;
 }
 
 CLI::App* add_record(CLI::App& app, RecordArguments& arguments) {
@@ -172,15 +193,28 @@ std::optional<Pace> to_pace(const SourceArguments& arguments) {
     return arguments.pace == "step" ? Pace::step : Pace::live;
 }
 
+std::optional<DisplayKind> to_display(const std::string& display) {
+    if (display.empty()) return std::nullopt;
+    return display == "window" ? DisplayKind::window : DisplayKind::headless;
+}
+
+CalibrateOptions to_calibrate_options(const CalibrateArguments& arguments) {
+    CalibrateOptions options;
+    options.config = to_config(arguments.source);
+    options.pace = to_pace(arguments.source);
+    options.display = to_display(arguments.display);
+    if (arguments.method == "touch") options.method = CalibrationMethod::touch;
+    options.json_file = if_given(arguments.json);
+    return options;
+}
+
 RunOptions to_run_options(const RunArguments& arguments) {
     RunOptions options;
     options.config = to_config(arguments.source);
     options.pace = to_pace(arguments.source);
     options.frames = arguments.source.frames;
     if (!arguments.scene.empty()) options.config.display.scene = arguments.scene;
-    if (!arguments.display.empty()) {
-        options.display = arguments.display == "window" ? DisplayKind::window : DisplayKind::headless;
-    }
+    options.display = to_display(arguments.display);
     options.events_file = if_given(arguments.events);
     options.maps_dir = if_given(arguments.maps);
     options.shots_dir = if_given(arguments.shots);
@@ -260,6 +294,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_run_options(*app.add_subcommand("run", "the table (no sub-command means run)"), run_arguments);
     const CLI::App* scan = add_scan(app, model_arguments);
     const CLI::App* track = add_track(app, model_arguments);
+    CalibrateArguments calibrate_arguments;
+    const CLI::App* calibrate = add_calibrate(app, calibrate_arguments);
     RecordArguments record_arguments;
     const CLI::App* record = add_record(app, record_arguments);
     BenchArguments bench_arguments;
@@ -276,11 +312,12 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, std::string(error.what()) + "; see touchstone --help");
     }
-    for (const CLI::App* command : {scan, track, record, bench, check}) {
+    for (const CLI::App* command : {scan, track, calibrate, record, bench, check}) {
         if (command->parsed()) check_no_options_before(app, command->get_name());
     }
     if (scan->parsed()) return to_scan_options(model_arguments);
     if (track->parsed()) return to_track_options(model_arguments);
+    if (calibrate->parsed()) return to_calibrate_options(calibrate_arguments);
     if (record->parsed()) return to_record_options(record_arguments);
     if (bench->parsed()) return to_bench_options(bench_arguments);
     if (check->parsed()) return check_options;

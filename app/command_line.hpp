@@ -61,6 +61,17 @@ struct BenchOptions {
     std::optional<std::string> json_file;  ///< "-" is standard output
 };
 
+enum class CalibrationMethod { touch, graycode };
+
+/// `touchstone calibrate`: which pixel of the projector lights which place.
+struct CalibrateOptions {
+    Config config;
+    std::optional<Pace> pace;            ///< else the source's own
+    std::optional<DisplayKind> display;  ///< else as RunOptions
+    CalibrationMethod method = CalibrationMethod::graycode;
+    std::optional<std::string> json_file;  ///< "-" is standard output
+};
+
 /// `touchstone check`: is this machine ready?
 struct CheckOptions {
     std::string config_file;  ///< empty: the defaults. Read by the check: a bad one is a finding.
@@ -72,8 +83,8 @@ struct PrintedText {
     std::string text;
 };
 
-using Command = std::variant<RunOptions, ScanOptions, TrackOptions, RecordOptions, BenchOptions, CheckOptions,
-                             PrintedText>;
+using Command = std::variant<RunOptions, ScanOptions, TrackOptions, CalibrateOptions, RecordOptions,
+                             BenchOptions, CheckOptions, PrintedText>;
 
 /// Throws Error{usage} for what is not understood, Error{configuration or no_input} for the configuration
 /// file.

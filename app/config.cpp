@@ -157,6 +157,12 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("model", config.display.model,
              "OBJ, glTF or PLY that stands in the scene mirror; empty: a vase");
     keys.add("photos", config.display.photos, "folder of PNG and JPEG for the scene photos");
+    keys.section("projector");
+    keys.add("file", config.projector.file,
+             "of touchstone calibrate: where the picture lies; empty: unknown");
+    keys.add("moves_with_camera", config.projector.moves_with_camera,
+             "both hang on one mount: a knock moves both");
+    keys.add("spares_hands", config.projector.spares_hands, "nothing is drawn on hands");
     keys.section("particles");
     ParticleTableConfig& particles = config.particles;
     keys.add("most", particles.simulation.capacity, 1, 131072, "more push out the oldest");

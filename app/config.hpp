@@ -26,6 +26,13 @@ struct DisplayConfig {
     std::string photos;             ///< folder; empty: pictures of the program's own
 };
 
+/// The picture is drawn through its model where there is one.
+struct ProjectorConfig {
+    std::string file;                ///< of `touchstone calibrate`; empty: none
+    bool moves_with_camera = false;  ///< both hang on one mount: a knock moves both
+    bool spares_hands = true;        ///< nothing is drawn on what moves over the table
+};
+
 /// Everything that can be configured; each member's default is the program's.
 struct Config {
     std::string sensor_uri;
@@ -39,6 +46,7 @@ struct Config {
     bool tuio_enabled = true;
     TuioConfig tuio;
     DisplayConfig display;
+    ProjectorConfig projector;
     ParticleTableConfig particles;
     HealthConfig health;
     FaultReportsConfig fault_reports;

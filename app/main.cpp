@@ -2,6 +2,7 @@
 #include <exception>
 
 #include "app/bench_command.hpp"
+#include "app/calibrate_command.hpp"
 #include "app/check_command.hpp"
 #include "app/command_line.hpp"
 #include "app/record_command.hpp"
@@ -21,6 +22,8 @@ touchstone::ExitStatus execute(const touchstone::Command& command) {
         return touchstone::scan_command(*scan);
     if (const auto* track = std::get_if<touchstone::TrackOptions>(&command))
         return touchstone::track_command(*track);
+    if (const auto* calibrate = std::get_if<touchstone::CalibrateOptions>(&command))
+        return touchstone::calibrate_command(*calibrate);
     if (const auto* record = std::get_if<touchstone::RecordOptions>(&command))
         return touchstone::record_command(*record);
     if (const auto* bench = std::get_if<touchstone::BenchOptions>(&command))

@@ -1,26 +1,12 @@
 #include "app/presentation.hpp"
 
-#include <cstdlib>
-
+#include "app/displays.hpp"
 #include "app/model_file.hpp"
 #include "app/photo_folder.hpp"
-#include "platform/display/headless_display.hpp"
-#include "platform/display/sdl_display.hpp"
 
 namespace touchstone {
 
 namespace {
-
-DisplayKind choose_kind(const RunOptions& options) {
-    if (options.display) return *options.display;
-    const bool desktop = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-    return desktop ? DisplayKind::window : DisplayKind::headless;
-}
-
-std::unique_ptr<Display> make_display(DisplayKind kind, const DisplayConfig& config) {
-    const PixelSize size{config.width_px, config.height_px};
-    return kind == DisplayKind::window ? make_sdl_display("Touchstone", size) : make_headless_display(size);
-}
 
 PresenterConfig presenter_config(const DisplayConfig& config) {
     PresenterConfig presenter;
@@ -37,8 +23,8 @@ PresenterConfig presenter_config(const DisplayConfig& config) {
 }  // namespace
 
 Presentation::Presentation(const RunOptions& options)
-    : kind_(choose_kind(options)),
-      display_(make_display(kind_, options.config.display)),
+    : kind_(choose_display(options.display)),
+      display_(open_display(kind_, options.config.display)),
       presenter_(*display_, options.config.display.scene, presenter_config(options.config.display)),
       last_shown_(std::chrono::steady_clock::now()) {
     if (options.shots_dir) shots_.emplace(*options.shots_dir);

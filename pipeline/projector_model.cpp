@@ -45,6 +45,13 @@ std::optional<Vector2f> project(const ProjectorModel& model, const Vector3f& poi
                     model.center_px);
 }
 
+ProjectorModel in_other_frame(const ProjectorModel& model, const RigidTransform& T_new_old) {
+    ProjectorModel moved = model;
+    moved.T_p_g = model.T_p_g * T_new_old.inverse(Eigen::Isometry);
+    moved.plane_g = transformed(T_new_old, model.plane_g);
+    return moved;
+}
+
 std::optional<Vector3f> lit_point_g_m(const ProjectorModel& model, const Vector2f& pixel_px,
                                       const InteractiveArea& area_g) {
     if (model.kind == ProjectorModelKind::homography) {

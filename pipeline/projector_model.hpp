@@ -32,6 +32,9 @@ struct ProjectorModel {
 /// may lie beyond the picture.
 std::optional<Eigen::Vector2f> project(const ProjectorModel& model, const Eigen::Vector3f& point_g_m);
 
+/// The same projector for points of another frame.
+ProjectorModel in_other_frame(const ProjectorModel& model, const RigidTransform& T_new_old);
+
 /// Where a pixel's light hits the area (scan frame), taken as an endless plane; none where it does not.
 std::optional<Eigen::Vector3f> lit_point_g_m(const ProjectorModel& model, const Eigen::Vector2f& pixel_px,
                                              const InteractiveArea& area_g);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "app/command_line.hpp"
+#include "pipeline/projector_fit.hpp"
+#include "platform/system/error.hpp"
+
+namespace touchstone {
+
+/// What `touchstone calibrate` found.
+struct CalibrationResult {
+    std::string method;  ///< touch or graycode
+    ProjectorFit fit;
+    std::string verdict;  ///< in words: how good, or what was seen and what to change
+};
+
+/// {"method","model","rms_px","rms_mm","points","verdict"}.
+std::string calibration_json(const CalibrationResult& result);
+
+/// Finds which pixel of the projector lights which point of the scan: by crosses that are touched, or by
+/// stripes that the colour camera sees. Keeps it in the configuration's file. bad_data where nothing of use
+/// came out. Throws Error.
+ExitStatus calibrate_command(const CalibrateOptions& options);
+
+}  // namespace touchstone

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/command_line.hpp"
+#include "platform/display/display.hpp"
+#include "platform/display/simulated_projector.hpp"
+
+namespace touchstone {
+
+/// What was asked for, else a window where there is a desktop.
+DisplayKind choose_display(std::optional<DisplayKind> wanted);
+
+/// Throws Error{unavailable} where there is no display of the kind.
+std::unique_ptr<Display> open_display(DisplayKind kind, const DisplayConfig& config);
+
+/// Whether a sensor URI asks for a simulated projector over the simulated table.
+bool has_simulated_projector(const std::string& sensor_uri);
+
+/// Such a projector: off screen, as large as the simulator thinks it.
+std::unique_ptr<SimulatedProjector> open_simulated_projector();
+
+}  // namespace touchstone
