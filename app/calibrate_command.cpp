@@ -161,13 +161,18 @@ class Calibration {
 
     CalibrationResult ask_for_touches() {
         const PixelSize size = display_->size_px();
-        ProjectorCrosses crosses(size.width_px, size.height_px);
+        ProjectorCrosses crosses(size.width_px, size.height_px, area_g());
         while (const auto cross = crosses.cross_px()) {
             if (simulated_) simulated_->set_aim(std::array{cross->x(), cross->y()});
             screen_.show_cross(
                 *cross, fmt::format("{}  {} of {}", crosses.words(), crosses.shown() + 1, crosses.wanted()));
             const InteractionFrame seen = see();
+            const std::size_t touched = crosses.matches().size();
+            const int shown = crosses.shown();
             crosses.take(seen.touches, pipeline_->background()->T_g_c(), frame_->timestamp_us);
+            if (crosses.shown() > shown)
+                log_info("cross {} of {}: {}", crosses.shown(), crosses.wanted(),
+                         crosses.matches().size() > touched ? "touched" : "passed over");
             progress_.show(fmt::format("crosses: {} of {}", crosses.shown(), crosses.wanted()));
         }
         const ProjectorFit fit =

@@ -12,16 +12,18 @@
 namespace touchstone {
 
 struct ProjectorCrossesConfig {
-    int columns = 4, rows = 3;
-    float margin = 0.12f;        ///< of the picture's width and height, left free at its edges
-    float patience_s = 20.0f;    ///< a cross that nobody touches is passed over: it may lie beside the table
+    float margin = 0.04f;        ///< of the picture's width and height, left free at its edges
+    float patience_s = 12.0f;    ///< a cross that nobody touches is passed over: it may lie beside the table
+    float apart_m = 0.04f;       ///< a touch so near to the last one is still of the cross before
     float most_drag_m = 0.012f;  ///< a finger that moves more while it touches is no touch of a point
 };
 
-/// "Touch the crosses": marks in the projector's picture are shown one after the other and touched.
+/// "Touch the crosses": marks in the projector's picture are shown one after the other and touched. The first
+/// lie about its middle; once four are touched, the rest go to the edges of the area, where touches are seen.
 class ProjectorCrosses {
   public:
-    ProjectorCrosses(int width_px, int height_px, const ProjectorCrossesConfig& config = {});
+    ProjectorCrosses(int width_px, int height_px, const InteractiveArea& area_g,
+                     const ProjectorCrossesConfig& config = {});
 
     /// To be shown now; none once it is over.
     std::optional<Eigen::Vector2f> cross_px() const;
@@ -34,8 +36,12 @@ class ProjectorCrosses {
 
   private:
     void go_on(std::uint64_t timestamp_us);
+    void spread();
 
+    Eigen::Vector2f size_px_;
+    InteractiveArea area_g_;
     ProjectorCrossesConfig config_;
+    bool is_spread_ = false;
     std::vector<Eigen::Vector2f> crosses_px_;
     ContactMeans contacts_;
     std::vector<ProjectorMatch> matches_;

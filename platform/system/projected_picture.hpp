@@ -53,9 +53,13 @@ class ProjectedPictureReader {
 
   private:
     struct Mapping;
+
+    void open();
+    bool copy(std::uint64_t version);
+
     std::string name_;
     std::unique_ptr<Mapping> mapping_;
-    ProjectedPicture picture_;
+    ProjectedPicture picture_, next_;
 };
 
 }  // namespace touchstone

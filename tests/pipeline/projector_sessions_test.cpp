@@ -104,40 +104,71 @@ void tap(ProjectorCrosses& crosses, const Eigen::Vector3f& at_c_m, const Eigen::
     crosses.take(up, T_g_c, time_us + 66'000);
 }
 
+/// A projector that lights 1 m by 0.625 m of a plane three metres away; the area is the middle half of it.
+Eigen::Vector3f lit_m(const Eigen::Vector2f& pixel_px) {
+    return {pixel_px.x() / 1280.0f, pixel_px.y() / 1280.0f, 1.0f};
+}
+
+InteractiveArea middle_half() {
+    InteractiveArea area;
+    area.origin_c_m = {0.25f, 0.15f, 3.0f};
+    area.axis_u_c_m = {0.5f, 0.0f, 0.0f};
+    area.axis_v_c_m = {0.0f, 0.3f, 0.0f};
+    return area;
+}
+
 TEST(ProjectorCrosses, EachTouchIsAMatchInTheScansFrame) {
-    ProjectorCrosses crosses(1280, 800, {.columns = 2, .rows = 2});
+    ProjectorCrosses crosses(1280, 800, middle_half());
     std::vector<Eigen::Vector2f> shown_px;
     std::uint64_t time_us = 0;
     while (const auto cross = crosses.cross_px()) {
         shown_px.push_back(*cross);
-        const Eigen::Vector3f at(0.001f * cross->x(), 0.001f * cross->y(), 1.0f);
+        const Eigen::Vector3f at = lit_m(*cross);
         tap(crosses, at, at + Eigen::Vector3f(0.002f, 0.0f, 0.0f), time_us += 1'000'000);
     }
-    ASSERT_EQ(crosses.matches().size(), 4U);
-    for (std::size_t i = 0; i < 4; ++i) {
+    ASSERT_EQ(crosses.matches().size(), shown_px.size());
+    EXPECT_EQ(crosses.wanted(), 12);
+    for (std::size_t i = 0; i < shown_px.size(); ++i) {
         const ProjectorMatch& match = crosses.matches()[i];
         EXPECT_EQ(match.pixel_px, shown_px[i]);
-        EXPECT_NEAR(match.point_g_m.x(), 0.001f * shown_px[i].x() + 0.001f, 1e-5f)
-            << "the mean of two frames";
+        EXPECT_NEAR(match.point_g_m.x(), lit_m(shown_px[i]).x() + 0.001f, 1e-5f) << "the mean of two frames";
         EXPECT_NEAR(match.point_g_m.z(), 3.0f, 1e-5f);
     }
-    EXPECT_TRUE(shown_px[0].isApprox(Eigen::Vector2f(153.6f, 96.0f))) << shown_px[0];
+    // The later ones are spread over the area, whose corners lie at 320, 192 and 960, 576.
+    Eigen::AlignedBox2f box;
+    for (std::size_t i = 4; i < shown_px.size(); ++i) box.extend(shown_px[i]);
+    EXPECT_NEAR(box.min().x(), 320.0f + 0.08f * 640.0f, 5.0f);
+    EXPECT_NEAR(box.max().y(), 192.0f + 0.92f * 384.0f, 5.0f);
 }
 
 TEST(ProjectorCrosses, AFingerThatMovedDoesNotCount) {
-    ProjectorCrosses crosses(1280, 800);
+    ProjectorCrosses crosses(1280, 800, middle_half());
     tap(crosses, {0.0f, 0.0f, 1.0f}, {0.03f, 0.0f, 1.0f}, 0);
     EXPECT_TRUE(crosses.matches().empty());
     EXPECT_EQ(crosses.shown(), 0);
     EXPECT_NE(crosses.words().find("moved"), std::string::npos);
 }
 
-TEST(ProjectorCrosses, ACrossThatNobodyCanReachIsPassedOver) {
-    ProjectorCrosses crosses(1280, 800, {.patience_s = 5.0f});
-    for (std::uint64_t time_us = 0; time_us < 5'500'000; time_us += 33'000)
-        crosses.take({}, RigidTransform::Identity(), time_us);
+/// A finger that is lost for a frame while it lifts seems to touch twice.
+TEST(ProjectorCrosses, ASecondTouchOfTheSameCrossIsNoneOfTheNext) {
+    ProjectorCrosses crosses(1280, 800, middle_half());
+    const Eigen::Vector3f first = lit_m(*crosses.cross_px());
+    tap(crosses, first, first, 0);
+    tap(crosses, first, first, 200'000);
+    EXPECT_EQ(crosses.matches().size(), 1U);
+    EXPECT_EQ(crosses.shown(), 1);
+}
+
+TEST(ProjectorCrosses, WhatNobodyCanReachIsPassedOver) {
+    ProjectorCrosses crosses(1280, 800, middle_half(), {.patience_s = 5.0f});
+    std::uint64_t time_us = 0;
+    for (; time_us < 5'500'000; time_us += 33'000) crosses.take({}, RigidTransform::Identity(), time_us);
     EXPECT_EQ(crosses.shown(), 1);
     EXPECT_TRUE(crosses.matches().empty());
+    // Nobody is there: it comes to an end.
+    for (; crosses.cross_px() && time_us < 60'000'000; time_us += 33'000)
+        crosses.take({}, RigidTransform::Identity(), time_us);
+    EXPECT_FALSE(crosses.cross_px());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ namespace touchstone::sim {
 namespace {
 
 constexpr float mm = 1e-3F;
+constexpr int tries = 60;
 
 HandPosture shifted(HandPosture posture, const Vec3& by) {
     posture.index_tip += by;
@@ -68,9 +69,9 @@ bool GesturePlanner::can_rest(const HandPosture& posture, const Vec3& shoulder_s
            (!thumb_touches || is_tip_visible(hand, 1, place_));
 }
 
-std::optional<HandPosture> GesturePlanner::aim(Gesture gesture, float gap_m, const Vec3& shoulder_s,
-                                               Random& random) const {
-    const Vec3 goal = draw_goal(place_, random);
+std::optional<HandPosture> GesturePlanner::aim(Gesture gesture, const std::optional<Vec3>& goal_s,
+                                               float gap_m, const Vec3& shoulder_s, Random& random) const {
+    const Vec3 goal = goal_s ? *goal_s : draw_goal(place_, random);
     const Vec3 way = goal - shoulder_s;
     if (way.head<2>().norm() > 0.8F || way.head<2>().norm() < 0.26F) return std::nullopt;
     if (place_.half != 0.0F && place_.half * goal.x() < 0.05F) return std::nullopt;
@@ -214,11 +215,12 @@ std::vector<Motion> GesturePlanner::moving_contact(Gesture gesture, const Target
     return motions;
 }
 
-std::vector<Motion> GesturePlanner::try_gesture(Gesture gesture, const HandPosture& now, double start_s,
+std::vector<Motion> GesturePlanner::try_gesture(Gesture gesture, const std::optional<Vec3>& goal_s,
+                                                const HandPosture& now, double start_s,
                                                 const Vec3& shoulder_s, Random& random) const {
     const bool pinch = gesture == Gesture::pinch;
     const float gap_m = planned_gap_m(gesture, random);
-    const auto at = aim(gesture, gap_m, shoulder_s, random);
+    const auto at = aim(gesture, goal_s, gap_m, shoulder_s, random);
     if (!at) return {};
     const Vec3 away = (place_.scene.normal(at->index_tip) + Vec3::UnitZ()).normalized();
     const HandPosture over =
@@ -239,9 +241,19 @@ std::vector<Motion> GesturePlanner::try_gesture(Gesture gesture, const HandPostu
 
 std::vector<Motion> GesturePlanner::plan(Gesture gesture, const HandPosture& now, double start_s,
                                          const Vec3& shoulder_s, Random& random) const {
-    constexpr int tries = 60;
     for (int i = 0; i < tries; ++i) {
-        std::vector<Motion> motions = try_gesture(gesture, now, start_s, shoulder_s, random);
+        std::vector<Motion> motions = try_gesture(gesture, std::nullopt, now, start_s, shoulder_s, random);
+        if (!motions.empty()) return motions;
+    }
+    return {};
+}
+
+std::vector<Motion> GesturePlanner::plan_touch(const Vec3& place_s, const HandPosture& now, double start_s,
+                                               const Vec3& shoulder_s, Random& random) const {
+    // The tip's middle, so that the tip touches there, on a slope too.
+    const Vec3 tip_s = place_s + shape_.fingertip_radius_m * place_.scene.normal(place_s);
+    for (int i = 0; i < tries; ++i) {
+        std::vector<Motion> motions = try_gesture(Gesture::hold, tip_s, now, start_s, shoulder_s, random);
         if (!motions.empty()) return motions;
     }
     return {};

@@ -26,6 +26,9 @@ class GesturePlanner {
     /// in a few dozen tries.
     std::vector<Motion> plan(Gesture gesture, const HandPosture& now, double start_s, const Vec3& shoulder_s,
                              Random& random) const;
+    /// A touch of a place of the surface that lasts for half a second or more; likewise.
+    std::vector<Motion> plan_touch(const Vec3& place_s, const HandPosture& now, double start_s,
+                                   const Vec3& shoulder_s, Random& random) const;
     /// The way to a posture; empty when something is in the way.
     std::vector<Motion> glide(const HandPosture& from, const HandPosture& to, double start_s,
                               const Vec3& shoulder_s) const;
@@ -37,16 +40,17 @@ class GesturePlanner {
         float gap_m;
     };
 
-    std::optional<HandPosture> aim(Gesture gesture, float gap_m, const Vec3& shoulder_s,
-                                   Random& random) const;
+    std::optional<HandPosture> aim(Gesture gesture, const std::optional<Vec3>& goal_s, float gap_m,
+                                   const Vec3& shoulder_s, Random& random) const;
     bool aim_thumb(HandPosture& posture, float gap_m, const Vec3& shoulder_s, Random& random) const;
     std::optional<HandPosture> move_on(Gesture gesture, const HandPosture& from, float gap_m,
                                        Random& random) const;
     bool can_rest(const HandPosture& posture, const Vec3& shoulder_s, bool thumb_touches) const;
     bool is_possible(const Motion& motion, const Vec3& shoulder_s) const;
     bool is_possible(const Motion& motion, const Vec3& shoulder_s, double step_s) const;
-    std::vector<Motion> try_gesture(Gesture gesture, const HandPosture& now, double start_s,
-                                    const Vec3& shoulder_s, Random& random) const;
+    std::vector<Motion> try_gesture(Gesture gesture, const std::optional<Vec3>& goal_s,
+                                    const HandPosture& now, double start_s, const Vec3& shoulder_s,
+                                    Random& random) const;
     std::vector<Motion> still_contact(Gesture gesture, const Target& target, double start_s,
                                       Random& random) const;
     std::vector<Motion> moving_contact(Gesture gesture, const Target& target, double start_s,

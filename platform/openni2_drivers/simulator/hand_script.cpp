@@ -75,7 +75,8 @@ HandScript::HandScript(const SimulatorConfig& config, const Workplace& place, in
       shape_(draw_shape(config, place.half, hand, random_)),
       planner_(place_, shape_, config.human_timing, hover_band(config.gestures)),
       planned_until_s_(config.empty_s +
-                       static_cast<double>(random_.uniform(0.05F, 0.4F) + 0.6F * static_cast<float>(hand))) {}
+                       static_cast<double>(random_.uniform(0.05F, 0.4F) + 0.6F * static_cast<float>(hand))),
+      guided_(config.guided) {}
 
 std::optional<HandMoment> HandScript::at(double time_s) {
     while (planned_until_s_ <= time_s) extend();
@@ -86,7 +87,50 @@ std::optional<HandMoment> HandScript::at(double time_s) {
     return HandMoment{build_hand(shape_, posture, shoulder_s, motion.thumb_touches), motion.thumb_touches};
 }
 
+/// A person looks for a while at what is new, touches it as well as people do, and looks again.
+void HandScript::extend_as_asked() {
+    constexpr double patience_s = 1.5;
+    const bool again = asked_s_ == touched_s_ && planned_until_s_ < touched_until_s_ + patience_s;
+    if (!asked_s_ && here_) return leave();
+    if (!asked_s_ || again) return wait();
+    const bool was_here = here_;
+    const std::vector<Motion> motions = plan_as_asked();
+    if (motions.empty() && was_here) return leave();  // from another edge it may be within reach
+    if (motions.empty()) return wait();
+    append(motions);
+    touched_s_ = asked_s_;
+    touched_until_s_ = planned_until_s_;
+}
+
+/// Whoever is not there yet comes from where the place is within reach.
+std::vector<Motion> HandScript::plan_as_asked() {
+    constexpr float sigma_m = 0.001F;
+    constexpr int edges = 40;
+    const Vec3 off(sigma_m * random_.normal(), sigma_m * random_.normal(), 0.0F);
+    const double start_s = planned_until_s_ + static_cast<double>(random_.uniform(0.2F, 0.5F));
+    const auto plan = [&] {
+        return planner_.plan_touch(*asked_s_ + off, last_, start_s, shoulder_s_, random_);
+    };
+    if (here_) return plan();
+    for (int edge = 0; edge < edges; ++edge) {
+        start_visit();
+        if (std::vector<Motion> motions = plan(); !motions.empty()) return motions;
+    }
+    here_ = false;
+    return {};
+}
+
+void HandScript::wait() {
+    constexpr double look_s = 0.1;
+    const double until_s = planned_until_s_ + look_s;
+    steps_.push_back({{Motion::Kind::rest, planned_until_s_, until_s, last_, last_, 0.0F, 0.0F, 0.0F, false},
+                      shoulder_s_,
+                      !here_});
+    planned_until_s_ = until_s;
+}
+
 void HandScript::extend() {
+    if (guided_) return extend_as_asked();
     if (!here_) start_visit();
     const double start_s = planned_until_s_ + static_cast<double>(random_.uniform(0.0F, 0.25F));
     std::vector<Motion> motions;

@@ -21,12 +21,17 @@ class HandScript {
     /// script.
     HandScript(const SimulatorConfig& config, const Workplace& place, int hand);
 
+    /// Of a guided hand: touches this place of the surface until it is another one; none: it goes away.
+    void ask(const std::optional<Vec3>& place_s) { asked_s_ = place_s; }
     /// Nothing while the hand is away. Times must not decrease from call to call.
     std::optional<HandMoment> at(double time_s);
     const HandShape& shape() const { return shape_; }
 
   private:
     void extend();
+    void extend_as_asked();
+    std::vector<Motion> plan_as_asked();
+    void wait();
     void start_visit();
     void leave();
     std::vector<Motion> leave_over_the_top() const;
@@ -50,6 +55,9 @@ class HandScript {
     Vec3 shoulder_s_ = Vec3::Zero();
     int gestures_left_ = 0;
     bool here_ = false;
+    bool guided_;
+    std::optional<Vec3> asked_s_, touched_s_;  // touched: what was asked for at the last touch
+    double touched_until_s_ = 0.0;
 };
 
 }  // namespace touchstone::sim

@@ -15,7 +15,8 @@ constexpr std::string_view key_names =
     "seed, hands, frames, noise, drift, human, sleeve, gestures, truth, masks, height, tilt, empty, rate, "
     "poses, motion, "
     "person, person_s, mesh, size_m, grip, distance, object, put_s, take_s, cycle_s, knock_s, knock_deg, "
-    "knock_mm, unplug_at, stall_at, freeze_at, tear, tear_every, clock_jump, fault_s, faults_every";
+    "knock_mm, unplug_at, stall_at, freeze_at, tear, tear_every, clock_jump, fault_s, faults_every, "
+    "projector, ambient, guided, projector_truth";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -110,11 +111,18 @@ void check_object(const SimulatorConfig& config) {
         refuse("key take_s needs hands=0: hands would touch what is no longer there");
 }
 
+void check_projector(const SimulatorConfig& config) {
+    if (config.projector) return;
+    if (config.guided) refuse("key guided needs projector=1: hands touch what it shows");
+    if (!config.projector_truth_path.empty()) refuse("key projector_truth needs projector=1");
+}
+
 /// Whether a key says anything about a scene of this kind.
 bool applies(std::string_view key, SimulatedScene scene) {
     const bool object = scene == SimulatedScene::object;
-    for (const std::string_view of_tables : {"hands", "human", "sleeve", "gestures", "truth", "height",
-                                             "tilt", "empty", "object", "put_s", "take_s", "cycle_s"})
+    for (const std::string_view of_tables :
+         {"hands", "human", "sleeve", "gestures", "truth", "height", "tilt", "empty", "object", "put_s",
+          "take_s", "cycle_s", "projector", "ambient", "guided", "projector_truth"})
         if (key == of_tables) return is_table(scene);
     for (const std::string_view of_objects : {"mesh", "size_m", "grip", "distance"})
         if (key == of_objects) return object;
@@ -154,6 +162,10 @@ bool set_switch(Parsed& parsed, std::string_view key, std::string_view value) {
         parsed.drift = parse_switch(key, value);
     else if (key == "human")
         parsed.config.human_timing = parse_switch(key, value);
+    else if (key == "projector")
+        parsed.config.projector = parse_switch(key, value);
+    else if (key == "guided")
+        parsed.config.guided = parse_switch(key, value);
     else
         return false;
     return true;
@@ -174,6 +186,8 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
         config.empty_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "rate")
         config.rate_hz = parse_number(key, value, 1.0, 120.0);
+    else if (key == "ambient")
+        config.ambient = parse_number(key, value, 0.0, 1.0);
     else if (key == "person")
         config.person = parse_number(key, value, 0.0, 0.6);
     else if (key == "person_s")
@@ -228,6 +242,8 @@ bool set_text(SimulatorConfig& config, std::string_view key, std::string_view va
         config.masks_folder = parse_path(key, value);
     else if (key == "poses")
         config.poses_path = parse_path(key, value);
+    else if (key == "projector_truth")
+        config.projector_truth_path = parse_path(key, value);
     else if (key == "motion")
         config.motion = parse_motion(value);
     else if (key == "mesh")
@@ -271,6 +287,7 @@ SimulatorConfig parse_simulator_uri(std::string_view uri_after_scheme) {
         rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
     }
     check_object(parsed.config);
+    check_projector(parsed.config);
     parsed.config.drift = parsed.drift.value_or(parsed.config.noise);
     return parsed.config;
 }

@@ -79,16 +79,20 @@ struct SimulatorConfig {
                             ///< share of the pixels; 0 = nobody
     double person_s = 0.0;  ///< when they come in; 0 = they are there from the start
     ObjectKind object = ObjectKind::none;
-    double put_s = -1.0;       ///< when the object is set down; negative: it is there from the start
-    double take_s = -1.0;      ///< when it is taken hold of; negative: never
-    double cycle_s = 0.0;      ///< 0: once; else all of this again after so long
-    std::string mesh_path;     ///< of `object`; empty = a bowl
-    double size_m = 0.25;      ///< longest side of the object
-    bool fingers = false;      ///< two hands hold the object, else it floats
-    double distance_m = 0.75;  ///< of the object's middle from the camera
-    double knock_s = 5.0;      ///< when the camera is knocked, in one frame step
-    double knock_deg = 0.0;    ///< it turns by so much about an axis from the seed
-    double knock_mm = 0.0;     ///< and is shifted by so much in a direction from the seed
+    double put_s = -1.0;               ///< when the object is set down; negative: it is there from the start
+    double take_s = -1.0;              ///< when it is taken hold of; negative: never
+    double cycle_s = 0.0;              ///< 0: once; else all of this again after so long
+    std::string mesh_path;             ///< of `object`; empty = a bowl
+    double size_m = 0.25;              ///< longest side of the object
+    bool fingers = false;              ///< two hands hold the object, else it floats
+    double distance_m = 0.75;          ///< of the object's middle from the camera
+    double knock_s = 5.0;              ///< when the camera is knocked, in one frame step
+    double knock_deg = 0.0;            ///< it turns by so much about an axis from the seed
+    double knock_mm = 0.0;             ///< and is shifted by so much in a direction from the seed
+    bool projector = false;            ///< lights the table with what the program shows
+    double ambient = 0.3;              ///< light of the room beside it, 0..1
+    bool guided = false;               ///< hands touch what they are asked to, and nothing else
+    std::string projector_truth_path;  ///< empty = the true projector is not told
     SimulatorFaults faults;
     std::string poses_path;  ///< empty = no poses: the camera's true pose in the scene, a line for each frame
 };

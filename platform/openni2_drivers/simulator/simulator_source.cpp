@@ -10,6 +10,7 @@
 #include "platform/openni2_drivers/simulator/mask_files.hpp"
 #include "platform/openni2_drivers/simulator/placed_object.hpp"
 #include "platform/openni2_drivers/simulator/pose_writer.hpp"
+#include "platform/openni2_drivers/simulator/projector_light.hpp"
 #include "platform/openni2_drivers/simulator/static_layer.hpp"
 #include "platform/openni2_drivers/simulator/truth_writer.hpp"
 #include "platform/system/error.hpp"
@@ -68,10 +69,13 @@ struct SimulatorSource::State {
             const float half = config.hands < 2 ? 0.0F : hand == 0 ? -1.0F : 1.0F;
             scripts.emplace_back(config, Workplace{touched, view, touched_depth_m, half}, hand);
         }
+        if (config.projector) set_up_projector();
         if (!config.truth_path.empty()) truth.emplace(config.truth_path, config.rate_hz);
         if (!config.poses_path.empty()) poses.emplace(config.poses_path);
     }
 
+    void set_up_projector();
+    void ask_hands();
     void follow_camera(double time_s);
     void draw(double time_s);
     void draw_placed(double time_s);
@@ -96,9 +100,28 @@ struct SimulatorSource::State {
     Picture picture;
     std::optional<TruthWriter> truth;
     std::optional<PoseWriter> poses;
+    std::optional<Projector> projector;
+    std::optional<ProjectorLight> light;
+    ProjectedPictureReader thrown{projected_picture_name()};
     bool color = false;
     int next_index = 0;
 };
+
+void SimulatorSource::State::set_up_projector() {
+    projector = make_projector(view, config.seed);
+    light.emplace(*projector, static_cast<float>(config.ambient), config.seed);
+    if (!config.projector_truth_path.empty()) write_projector(config.projector_truth_path, *projector, view);
+}
+
+/// A person sees where the light of the asked pixel falls.
+void SimulatorSource::State::ask_hands() {
+    const ProjectedPicture* shown = thrown.latest();
+    std::optional<Vec3> place_s;
+    if (shown && shown->aim_px)
+        place_s = first_hit(touched, projector->position_s,
+                            projector->ray_s({(*shown->aim_px)[0], (*shown->aim_px)[1]}).normalized());
+    for (HandScript& script : scripts) script.ask(place_s);
+}
 
 void SimulatorSource::State::follow_camera(double time_s) {
     const TableView now = moved_view(view, knock(config, time_s));
@@ -149,6 +172,7 @@ void SimulatorSource::State::make_color(std::vector<std::uint8_t>& color_rgb) {
     for (std::size_t i = 0; i < moments.size(); ++i)
         if (moments[i])
             color_hand(color_rgb, picture, moments[i]->hand, scripts[i].shape(), static_cast<int>(i), seen);
+    if (light) light->shine(color_rgb, picture.depth_m, seen, thrown.latest(), next_index);
 }
 
 SimulatorSource::SimulatorSource(const SimulatorConfig& config) : state_(std::make_unique<State>(config)) {}
@@ -166,6 +190,7 @@ bool SimulatorSource::next(SourceFrame& frame) {
     const double time_s = frame.index / state.config.rate_hz;
     frame.timestamp_us = static_cast<std::uint64_t>(std::llround(1e6 * time_s));
     state.follow_camera(time_s);
+    if (state.config.guided) state.ask_hands();
     state.draw(time_s);
     state.noise.apply(state.picture.depth_m, frame.index, time_s, frame.depth_mm);
     frame.color_rgb.clear();

@@ -54,6 +54,13 @@ float lamp_share(const Scene& scene, const Vec3& p_s, const Vec3& normal_s) {
 
 }  // namespace
 
+std::optional<Vec3> first_hit(const Scene& scene, const Vec3& from_s, const Vec3& direction_s) {
+    constexpr float farthest_m = 10.0F;
+    const float distance_m = march(scene, from_s, direction_s, 0.0F, 0.0F);
+    if (distance_m > farthest_m) return std::nullopt;
+    return Vec3(from_s + distance_m * direction_s);
+}
+
 std::vector<float> render_static_depth(const Scene& scene, const TableView& view) {
     const int width = view.intrinsics.width_px;
     const int height = view.intrinsics.height_px;
