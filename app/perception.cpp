@@ -56,6 +56,7 @@ Perception::Perception(const RunOptions& options)
     run_self_test(device_);
     log_info("computing on {}", device_.name());
     prepare_touch_bias();
+    load_projector_mapping();
     if (!options.config.object_file.empty()) object_ = load_scan(options.config.object_file).volume;
     if (!options_.config.sensor_uri.empty()) open_camera();
 }
@@ -158,6 +159,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
     shown.intrinsics = intrinsics_;
     if (pipeline_->background()) shown.T_g_c = pipeline_->background()->T_g_c();
     serve_scene(result, frame.timestamp_us, shown);
+    map_projector(result.state, shown);
     shown.touches = result.touches;
     shown.hovers = result.hovers;
     if (calibrates(result.state)) take_crosses(result);

@@ -11,6 +11,7 @@
 #include "app/frame_health.hpp"
 #include "app/frame_outputs.hpp"
 #include "app/health.hpp"
+#include "app/projector_mapping.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "pipeline/particle_table.hpp"
@@ -63,6 +64,8 @@ class Perception {
     /// Whether crosses are to be touched; their touches are no others'.
     bool calibrates(InteractionState state) const { return crosses_ && state == InteractionState::live; }
     void take_crosses(const InteractionFrame& result);
+    void load_projector_mapping();
+    void map_projector(InteractionState state, TableFrame& shown);
     /// Particles and pictures, as the scene wishes.
     void serve_scene(const InteractionFrame& result, std::uint64_t timestamp_us, TableFrame& shown);
     std::shared_ptr<const ParticleView> move_particles(const InteractionFrame& result,
@@ -87,9 +90,10 @@ class Perception {
     std::optional<CrossStep> crosses_;  ///< until they told the bias of touches
     TouchBias bias_;
     SceneWish wish_;
-    std::optional<ParticleTable> particles_;  ///< while the scene wishes them
-    std::optional<SceneView> scene_view_;     ///< while the scene wishes a picture
-    int particles_cleared_ = 0;               ///< as often as the scene wished
+    std::optional<ParticleTable> particles_;     ///< while the scene wishes them
+    std::optional<SceneView> scene_view_;        ///< while the scene wishes a picture
+    int particles_cleared_ = 0;                  ///< as often as the scene wished
+    std::optional<ProjectorMapping> projector_;  ///< once it is calibrated
     StageTimes scene_times_;
     Intrinsics intrinsics_{};
     std::chrono::steady_clock::time_point last_frame_{};

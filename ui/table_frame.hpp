@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pipeline/particle_view.hpp"
+#include "pipeline/projector_model.hpp"
 #include "pipeline/scene_wish.hpp"
 #include "pipeline/surface_grid.hpp"
 #include "pipeline/touch_event.hpp"
@@ -37,6 +38,7 @@ struct TableFrame {
     Intrinsics intrinsics{};                            ///< of the depth camera
     RigidTransform T_g_c = RigidTransform::Identity();  ///< the camera's pose in the scan
     std::shared_ptr<const ParticleView> particles;      ///< while the scene wishes them, else null
+    std::shared_ptr<const ProjectorModel> projector;    ///< likewise
     std::shared_ptr<const SurfaceGrid> surface;  ///< from the end of the scan on, where a projector lights it
     std::shared_ptr<const RenderedView> rendered;  ///< the last one the scene wished for, else null
     std::vector<TouchEvent> touches;
