@@ -64,6 +64,15 @@ const CLI::Validator volume_side(
     },
     "");
 
+std::vector<std::string> display_words() { return {"headless", "window", "projector"}; }
+
+/// Nothing for the empty word.
+std::optional<DisplayKind> to_display(const std::string& word) {
+    if (word.empty()) return std::nullopt;
+    if (word == "headless") return DisplayKind::headless;
+    return word == "window" ? DisplayKind::window : DisplayKind::projector;
+}
+
 CLI::Option* add_camera_options(CLI::App& app, SourceArguments& arguments) {
     CLI::Option* sensor =
         app.add_option("--sensor", arguments.sensor,
@@ -88,8 +97,9 @@ CLI::Option* add_source_options(CLI::App& app, SourceArguments& arguments) {
 void add_run_options(CLI::App& app, RunArguments& arguments) {
     add_source_options(app, arguments.source);
     app.add_option("--display", arguments.display,
-                   "headless or window; default: a window where there is a desktop")
-        ->check(CLI::IsMember({"headless", "window"}));
+                   "headless, window, or projector, which fills a screen; default: a window where there is a "
+                   "desktop")
+        ->check(CLI::IsMember(display_words()));
     app.add_option("--scene", arguments.scene, "what the table shows")->check(CLI::IsMember(scene_names()));
     app.add_option("--events", arguments.events, "touches as JSON lines, - for standard output");
     app.add_option("--maps", arguments.maps, "folder for foreground and touch maps, PNG");
@@ -178,9 +188,7 @@ RunOptions to_run_options(const RunArguments& arguments) {
     options.pace = to_pace(arguments.source);
     options.frames = arguments.source.frames;
     if (!arguments.scene.empty()) options.config.display.scene = arguments.scene;
-    if (!arguments.display.empty()) {
-        options.display = arguments.display == "window" ? DisplayKind::window : DisplayKind::headless;
-    }
+    options.display = to_display(arguments.display);
     options.events_file = if_given(arguments.events);
     options.maps_dir = if_given(arguments.maps);
     options.shots_dir = if_given(arguments.shots);
