@@ -1,15 +1,15 @@
 // Windows and projectors on true X servers without a screen.
-#include <GLES3/gl31.h>
 #include <SDL.h>
 #include <fstream>
-#include <memory>
 #include <optional>
 
 #include "platform/display/gl_error.hpp"
 #include "platform/display/projector_display.hpp"
 #include "platform/display/sdl_display.hpp"
 #include "platform/display/sdl_outputs.hpp"
+#include "tests/platform/display/four_fields.hpp"
 #include "tests/platform/display/x_screen.hpp"
+#include "tests/support/comes_true.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -17,30 +17,10 @@ namespace touchstone {
 namespace {
 
 using test::comes_true;
+using test::press;
+using test::show_four_fields;
 using test::window_of_sdl;
 using testing::HasSubstr;
-
-/// Four fields of different colours, so that a picture upside down or shifted is none of it.
-void show_four_fields(Display& display) {
-    display.begin_frame();
-    const auto [width, height] = display.size_px();
-    glEnable(GL_SCISSOR_TEST);
-    for (int field = 0; field < 4; ++field) {
-        const bool right = field % 2 == 1, top = field / 2 == 1;
-        glScissor(right ? width / 3 : 0, top ? height / 4 : 0, width, height);
-        glClearColor(right ? 1.f : 0.2f, top ? 0.6f : 0.f, 0.4f, 1.f);
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
-    glDisable(GL_SCISSOR_TEST);
-    display.present();
-}
-
-void press(SDL_Keycode key) {
-    SDL_Event event{};
-    event.type = SDL_KEYDOWN;
-    event.key.keysym.sym = key;
-    SDL_PushEvent(&event);
-}
 
 /// Goes on drawing until the screen shows just what was drawn, at the place of the window.
 bool screen_shows_what_is_drawn(Display& display, const test::XView& view) {

@@ -1,26 +1,14 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <memory>
 #include <string>
 #include <sys/types.h>
-#include <thread>
 #include <vector>
 
 #include "platform/display/picture.hpp"
 
 namespace touchstone::test {
-
-/// Looks again and again for up to 20 s until something is so.
-template <class Predicate>
-bool comes_true(Predicate predicate) {
-    for (int look = 0; look < 2000; ++look) {
-        if (predicate()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
 
 /// An X server for this process and the programs it starts, ended with the object.
 class XServer {
