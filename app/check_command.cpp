@@ -7,6 +7,7 @@
 #include "app/machine_checks.hpp"
 #include "app/progress_line.hpp"
 #include "app/sensor_checks.hpp"
+#include "platform/display/sdl_outputs.hpp"
 #include "platform/opencl/device.hpp"
 #include "platform/system/log.hpp"
 
@@ -26,7 +27,7 @@ std::vector<CheckLine> check_all(const CheckOptions& options) {
     progress.show("checking and measuring OpenCL devices");
     append(lines, check_compute(config));
     lines.push_back(check_drawing());
-    lines.push_back(check_outputs());
+    append(lines, output_lines(list_outputs()));
     lines.push_back(check_uinput());
     lines.push_back(check_service());
     lines.push_back(check_disk(default_cache_dir()));

@@ -69,6 +69,15 @@ const CLI::Validator volume_side(
     },
     "");
 
+std::vector<std::string> display_words() { return {"headless", "window", "projector"}; }
+
+/// Nothing for the empty word.
+std::optional<DisplayKind> to_display(const std::string& word) {
+    if (word.empty()) return std::nullopt;
+    if (word == "headless") return DisplayKind::headless;
+    return word == "window" ? DisplayKind::window : DisplayKind::projector;
+}
+
 CLI::Option* add_camera_options(CLI::App& app, SourceArguments& arguments) {
     CLI::Option* sensor =
         app.add_option("--sensor", arguments.sensor,
@@ -91,8 +100,10 @@ CLI::Option* add_source_options(CLI::App& app, SourceArguments& arguments) {
 }
 
 void add_display(CLI::App& app, std::string& display) {
-    app.add_option("--display", display, "headless or window; default: a window where there is a desktop")
-        ->check(CLI::IsMember({"headless", "window"}));
+    app.add_option("--display", display,
+                   "headless, window, or projector, which fills a screen; default: a window where there is a "
+                   "desktop")
+        ->check(CLI::IsMember(display_words()));
 }
 
 void add_run_options(CLI::App& app, RunArguments& arguments) {
@@ -191,11 +202,6 @@ Config to_config(const SourceArguments& arguments) {
 std::optional<Pace> to_pace(const SourceArguments& arguments) {
     if (arguments.pace.empty()) return std::nullopt;
     return arguments.pace == "step" ? Pace::step : Pace::live;
-}
-
-std::optional<DisplayKind> to_display(const std::string& display) {
-    if (display.empty()) return std::nullopt;
-    return display == "window" ? DisplayKind::window : DisplayKind::headless;
 }
 
 CalibrateOptions to_calibrate_options(const CalibrateArguments& arguments) {

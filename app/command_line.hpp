@@ -9,7 +9,11 @@
 
 namespace touchstone {
 
-enum class DisplayKind { headless, window };
+enum class DisplayKind {
+    headless,
+    window,
+    projector,  ///< all of a screen
+};
 
 /// What `touchstone run` was asked to do, configuration file included.
 struct RunOptions {

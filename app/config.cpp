@@ -147,9 +147,13 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("port", config.tuio.port, 1, 65535, "receiver");
     keys.add("source", config.tuio.source, "name of this table; empty: touchstone@host");
     keys.section("display");
-    keys.add("width_px", config.display.width_px, 160, 7680, "");
+    keys.add("width_px", config.display.width_px, 160, 7680, "of a window or a picture without a screen");
     keys.add("height_px", config.display.height_px, 120, 4320, "");
     keys.add("scene", config.display.scene, "what the table shows");
+    keys.add("output", config.display.output,
+             "screen of --display projector, by its name or part of it (touchstone check lists them); empty: "
+             "the last that is not the primary one");
+    keys.add("mode", config.display.mode, "WIDTHxHEIGHT@HERTZ of that screen; empty: its own");
     keys.add("menu", config.display.menu, "scenes are changed by touch");
     keys.add("attract_after_s", config.display.attract_after_s, 0, 86400,
              "without touch or hover, until the table asks to be touched; 0: never");

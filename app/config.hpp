@@ -18,6 +18,8 @@ namespace touchstone {
 struct DisplayConfig {
     int width_px = 1280;
     int height_px = 720;
+    std::string output;  ///< of the projector, as find_output; empty: the last one
+    std::string mode;    ///< of the projector, as choose_mode; empty: its own
     std::string scene = "paint";
     bool menu = true;
     float attract_after_s = 60.0f;  ///< 0: never

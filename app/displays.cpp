@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "platform/display/headless_display.hpp"
+#include "platform/display/projector_display.hpp"
 #include "platform/display/sdl_display.hpp"
 
 namespace touchstone {
@@ -20,7 +21,15 @@ DisplayKind choose_display(std::optional<DisplayKind> wanted) {
 
 std::unique_ptr<Display> open_display(DisplayKind kind, const DisplayConfig& config) {
     const PixelSize size{config.width_px, config.height_px};
-    return kind == DisplayKind::window ? make_sdl_display("Touchstone", size) : make_headless_display(size);
+    switch (kind) {
+        case DisplayKind::window:
+            return make_sdl_display("Touchstone", size);
+        case DisplayKind::projector:
+            return make_projector_display("Touchstone", {config.output, config.mode});
+        case DisplayKind::headless:
+            break;
+    }
+    return make_headless_display(size);
 }
 
 bool has_simulated_projector(const std::string& sensor_uri) {
@@ -31,6 +40,15 @@ bool has_simulated_projector(const std::string& sensor_uri) {
 std::unique_ptr<SimulatedProjector> open_simulated_projector() {
     return std::make_unique<SimulatedProjector>(make_headless_display(simulated_size),
                                                 projected_picture_name());
+}
+
+std::unique_ptr<Display> open_display(const RunOptions& options) {
+    if (has_simulated_projector(options.config.sensor_uri)) return open_simulated_projector();
+    return open_display(choose_display(options.display), options.config.display);
+}
+
+bool throws_on_table(const RunOptions& options) {
+    return has_simulated_projector(options.config.sensor_uri) || options.display == DisplayKind::projector;
 }
 
 }  // namespace touchstone

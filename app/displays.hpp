@@ -22,4 +22,10 @@ bool has_simulated_projector(const std::string& sensor_uri);
 /// Such a projector: off screen, as large as the simulator thinks it.
 std::unique_ptr<SimulatedProjector> open_simulated_projector();
 
+/// For `run`: a simulated projector where the sensor has one, else as chosen.
+std::unique_ptr<Display> open_display(const RunOptions& options);
+
+/// Whether the picture falls on the table, and is to be fitted to it.
+bool throws_on_table(const RunOptions& options);
+
 }  // namespace touchstone

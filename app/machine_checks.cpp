@@ -1,7 +1,6 @@
 #include "app/machine_checks.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
 #include <set>
 #include <system_error>
 #include <unistd.h>
@@ -48,12 +47,6 @@ CheckLine measure_speed(const Config& config) {
     }
 }
 
-bool is_connected(const fs::path& output) {
-    std::string status;
-    std::ifstream(output / "status") >> status;
-    return status == "connected";
-}
-
 }  // namespace
 
 CheckLine check_configuration(const std::string& file, Config& config) {
@@ -98,15 +91,13 @@ CheckLine check_drawing() {
     }
 }
 
-CheckLine check_outputs(const fs::path& drm) {
-    std::vector<std::string> connected;
-    std::error_code code;
-    for (const auto& entry : fs::directory_iterator(drm, code))
-        if (is_connected(entry.path())) connected.push_back(entry.path().filename().string());
-    if (!connected.empty())
-        return {"outputs", CheckStatus::ok, fmt::format("{}", fmt::join(connected, ", ")), {}};
-    return {"outputs", CheckStatus::warn, "no screen or projector is connected",
-            "connect one and switch it on; without one, use --display headless"};
+std::vector<CheckLine> output_lines(std::span<const Output> outputs) {
+    std::vector<CheckLine> lines;
+    for (const Output& output : outputs)
+        lines.push_back({"outputs", CheckStatus::ok, list_text(std::span(&output, 1)), {}});
+    if (!lines.empty()) return lines;
+    return {{"outputs", CheckStatus::warn, "no screen or projector is connected",
+             "connect one and switch it on; without one, use --display headless"}};
 }
 
 CheckLine check_uinput(const fs::path& node) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "app/check_report.hpp"
 #include "app/config.hpp"
+#include "platform/display/output_choice.hpp"
 
 namespace touchstone {
 
@@ -21,8 +23,8 @@ CheckLine speed_line(double median_frame_ms);
 /// Drawing without a screen.
 CheckLine check_drawing();
 
-/// Screens and projectors, from the kernel's folder of outputs.
-CheckLine check_outputs(const std::filesystem::path& drm = "/sys/class/drm");
+/// Screens and projectors with their modes, a line each.
+std::vector<CheckLine> output_lines(std::span<const Output> outputs);
 
 /// The device through which touches become those of a touch screen.
 CheckLine check_uinput(const std::filesystem::path& node = "/dev/uinput");

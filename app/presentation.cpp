@@ -1,12 +1,18 @@
 #include "app/presentation.hpp"
 
+#include <utility>
+
 #include "app/displays.hpp"
 #include "app/model_file.hpp"
 #include "app/photo_folder.hpp"
+#include "platform/system/error.hpp"
+#include "platform/system/log.hpp"
 
 namespace touchstone {
 
 namespace {
+
+constexpr std::chrono::seconds between_tries{1};
 
 PresenterConfig presenter_config(const DisplayConfig& config) {
     PresenterConfig presenter;
@@ -23,21 +29,69 @@ PresenterConfig presenter_config(const DisplayConfig& config) {
 }  // namespace
 
 Presentation::Presentation(const RunOptions& options)
+    : Presentation(options, [options] { return open_display(options); }) {}
+
+Presentation::Presentation(const RunOptions& options, DisplayMaker make_display)
     : kind_(choose_display(options.display)),
-      display_(open_display(kind_, options.config.display)),
-      presenter_(*display_, options.config.display.scene, presenter_config(options.config.display)),
-      last_shown_(std::chrono::steady_clock::now()) {
+      make_display_(std::move(make_display)),
+      config_(presenter_config(options.config.display)),
+      scene_(options.config.display.scene),
+      last_drawn_(std::chrono::steady_clock::now()) {
     if (options.shots_dir) shots_.emplace(*options.shots_dir);
+    open();
 }
 
-void Presentation::show(const TableFrame& frame) {
+void Presentation::open() {
+    display_ = make_display_();
+    presenter_ = std::make_unique<TablePresenter>(*display_, scene_, config_);
+}
+
+void Presentation::try_to_open() {
     const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<float> elapsed = now - last_shown_;
-    last_shown_ = now;
-    presenter_.present(frame, elapsed.count());
-    if (!shots_ || !frame.view || frame.index == last_shot_) return;
-    last_shot_ = frame.index;
-    shots_->write_shot(frame.index, display_->read_pixels());
+    if (now < next_try_) return;
+    next_try_ = now + between_tries;
+    try {
+        open();
+        log_info("the display is back");
+    } catch (const Error& error) {
+        log_debug("{}", error.what());
+        presenter_.reset();
+        display_.reset();
+    }
+}
+
+void Presentation::lose_display() {
+    log_warning("the display is lost: trying to get it back");
+    scene_ = presenter_->scene_name();
+    presenter_.reset();
+    display_.reset();
+}
+
+void Presentation::draw(const TableFrame& frame) {
+    if (!presenter_) try_to_open();
+    if (!presenter_) return;
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<float> elapsed = now - last_drawn_;
+    last_drawn_ = now;
+    try {
+        presenter_->draw(frame, elapsed.count());
+    } catch (const Error&) {
+        if (!display_->is_lost()) throw;
+        lose_display();
+    }
+    if (frame.view) drawn_index_ = frame.index;
+}
+
+void Presentation::show() {
+    if (!presenter_) return;
+    display_->present();
+    if (display_->is_lost()) {
+        lose_display();
+        return;
+    }
+    if (!shots_ || drawn_index_ == last_shot_) return;
+    last_shot_ = drawn_index_;
+    shots_->write_shot(drawn_index_, display_->read_pixels());
 }
 
 }  // namespace touchstone

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -11,26 +12,42 @@
 
 namespace touchstone {
 
-/// The presentation loop's side: the latest result -> scene -> display. Lives on one thread.
+/// Called again when a display is lost.
+using DisplayMaker = std::function<std::unique_ptr<Display>()>;
+
+/// The presentation loop's side: the latest result -> scene -> display. Lives on one thread. A display that
+/// is lost is made anew, and the scene on it begins anew; until that succeeds nothing is seen.
 class Presentation {
   public:
     /// Throws Error{unavailable} where there is no display of the kind, {usage} for an unknown scene.
     explicit Presentation(const RunOptions& options);
+    /// On a display that somebody else makes.
+    Presentation(const RunOptions& options, DisplayMaker make_display);
 
-    void show(const TableFrame& frame);
-    SceneWish wish() const { return presenter_.wish(); }
+    void draw(const TableFrame& frame);
+    /// Shows what was drawn; may wait for the screen.
+    void show();
+    SceneWish wish() const { return presenter_ ? presenter_->wish() : SceneWish(); }
     /// The user closed the window.
-    bool should_close() { return display_->should_close(); }
+    bool should_close() { return display_ && display_->should_close(); }
     /// A window goes on drawing between frames, so that it animates and takes events.
-    bool animates() const { return kind_ == DisplayKind::window; }
+    bool animates() const { return kind_ != DisplayKind::headless; }
 
   private:
+    void open();
+    /// At most every second.
+    void try_to_open();
+    void lose_display();
+
     DisplayKind kind_;
+    DisplayMaker make_display_;
+    PresenterConfig config_;
+    std::string scene_;
     std::unique_ptr<Display> display_;
-    TablePresenter presenter_;
+    std::unique_ptr<TablePresenter> presenter_;
     std::optional<PictureFolder> shots_;
-    std::chrono::steady_clock::time_point last_shown_;
-    int last_shot_ = -1;
+    std::chrono::steady_clock::time_point last_drawn_, next_try_{};
+    int drawn_index_ = -1, last_shot_ = -1;  ///< drawn_index_ only of frames with a view
 };
 
 }  // namespace touchstone

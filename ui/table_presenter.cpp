@@ -68,13 +68,17 @@ TablePresenter::TablePresenter(Display& display, const std::string& scene_name, 
 TablePresenter::~TablePresenter() = default;
 
 void TablePresenter::present(const TableFrame& frame, float dt_s) {
+    draw(frame, dt_s);
+    display_.present();
+}
+
+void TablePresenter::draw(const TableFrame& frame, float dt_s) {
     clock_s_ += dt_s;
     if (frame.index != last_index_ || frame.timestamp_us != last_timestamp_us_) take_in(frame);
     last_index_ = frame.index;
     last_timestamp_us_ = frame.timestamp_us;
     update(dt_s);
-    draw(frame);
-    display_.present();
+    draw_all(frame);
 }
 
 SceneWish TablePresenter::wish() const {
@@ -174,7 +178,7 @@ void TablePresenter::update(float dt_s) {
     if (p.idle_share > 0.f) p.attract.update(dt_s);
 }
 
-void TablePresenter::draw(const TableFrame& frame) {
+void TablePresenter::draw_all(const TableFrame& frame) {
     Parts& p = *parts_;
     display_.begin_frame();
     const PixelSize display = display_.size_px();

@@ -25,8 +25,10 @@ class TablePresenter {
     TablePresenter(Display& display, const std::string& scene_name, const PresenterConfig& config = {});
     ~TablePresenter();
 
-    /// Takes the frame in, unless it was the last one presented, draws, and shows it. Afterwards the
-    /// display's read_pixels gives the picture. `dt_s` is the time since the last call.
+    /// Takes the frame in, unless it was the last one drawn, and draws. `dt_s` is the time since the last
+    /// call.
+    void draw(const TableFrame& frame, float dt_s);
+    /// Draws, and shows it. Afterwards the display's read_pixels gives the picture.
     void present(const TableFrame& frame, float dt_s);
     /// What the scene needs from the perception loop.
     SceneWish wish() const;
@@ -41,7 +43,7 @@ class TablePresenter {
     void change_scene(const std::string& name, const TableFrame& frame);
     void lift_all_fingers();
     void update(float dt_s);
-    void draw(const TableFrame& frame);
+    void draw_all(const TableFrame& frame);
     void draw_scene(const TableFrame& frame);
 
     Display& display_;

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "platform/display/picture.hpp"
 
 namespace touchstone {
 
-/// A place to draw with OpenGL ES 3.1: off screen or a window. The context of a display is current on the
-/// thread that made the display, and only there: make, use and destroy a display, and everything of GL, on
-/// one thread. That need not be the main thread. One display a thread.
+/// A place to draw with OpenGL ES 3.1: off screen, a window or all of a projector. The context of a display
+/// is current on the thread that made the display, and only there: make, use and destroy a display, and
+/// everything of GL, on one thread. That need not be the main thread. One display a thread.
 class Display {
   public:
     virtual ~Display() = default;
@@ -20,6 +22,10 @@ class Display {
     virtual Picture read_pixels() = 0;
     /// Takes the waiting window events: true once the user has asked to quit (window closed, Escape).
     virtual bool should_close() = 0;
+    /// The next key pressed among the events taken, as the sign it writes, in the order in which they came.
+    virtual std::optional<char> take_key() { return std::nullopt; }
+    /// The driver has given the context up, or the picture can no longer be shown: only a new display helps.
+    virtual bool is_lost() const { return false; }
 };
 
 }  // namespace touchstone

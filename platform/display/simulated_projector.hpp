@@ -23,6 +23,7 @@ class SimulatedProjector : public Display {
     void present() override;
     Picture read_pixels() override { return display_->read_pixels(); }
     bool should_close() override { return display_->should_close(); }
+    bool is_lost() const override { return display_->is_lost(); }
 
     /// What a person is to touch, pixels with centres at whole numbers; told with the next picture.
     void set_aim(std::optional<std::array<float, 2>> aim_px) { aim_px_ = aim_px; }

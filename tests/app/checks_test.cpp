@@ -117,18 +117,15 @@ TEST(MachineChecks, ConfigurationIsAFinding) {
     EXPECT_EQ(check_configuration("/nowhere.toml", config).status, CheckStatus::fail);
 }
 
-TEST(MachineChecks, OutputsFromTheKernelsFolder) {
-    const TemporaryFolder folder;
-    EXPECT_EQ(check_outputs(folder / "none").status, CheckStatus::warn);
-    for (const auto& [name, status] :
-         {std::pair{"card0-HDMI-A-1", "disconnected"}, {"card0-DP-1", "connected"}}) {
-        std::filesystem::create_directory(folder / name);
-        std::ofstream(folder / (std::string(name) + "/status")) << status << "\n";
-    }
-    EXPECT_EQ(check_outputs(folder.path()).status, CheckStatus::ok);
-    EXPECT_EQ(check_outputs(folder.path()).finding, "card0-DP-1");
-    std::ofstream(folder / "card0-DP-1/status") << "disconnected\n";
-    EXPECT_EQ(check_outputs(folder.path()).status, CheckStatus::warn);
+TEST(MachineChecks, OutputsWithTheirModesALineEach) {
+    ASSERT_EQ(output_lines({}).size(), 1U);
+    EXPECT_EQ(output_lines({})[0].status, CheckStatus::warn);
+    const std::vector<Output> two{{"eDP-1", {{1920, 1200}, 60}, {}},
+                                  {"HDMI-A-1 EPSON PJ", {{1280, 800}, 60}, {{{1024, 768}, 75}}}};
+    const std::vector<CheckLine> lines = output_lines(two);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[1].status, CheckStatus::ok);
+    EXPECT_EQ(lines[1].finding, "HDMI-A-1 EPSON PJ (1280x800@60; 1024x768@75)");
 }
 
 TEST(MachineChecks, UinputAndService) {

@@ -17,6 +17,9 @@ TEST(CommandLine, NoSubCommandMeansRun) {
     EXPECT_EQ(named.frames, 7);
     EXPECT_EQ(plain.display, DisplayKind::headless);
     EXPECT_FALSE(std::get<RunOptions>(parse({})).frames.has_value());
+    EXPECT_FALSE(std::get<RunOptions>(parse({})).display.has_value());
+    EXPECT_EQ(std::get<RunOptions>(parse({"--display", "window"})).display, DisplayKind::window);
+    EXPECT_EQ(std::get<RunOptions>(parse({"--display", "projector"})).display, DisplayKind::projector);
 }
 
 TEST(CommandLine, EveryOptionOfTheContract) {
@@ -185,6 +188,7 @@ TEST(CommandLine, WhatIsNotUnderstoodIsAUsageError) {
                                                                    {"run", "--frames", "0"},
                                                                    {"run", "--frames", "many"},
                                                                    {"run", "--scene", "nowhere"},
+                                                                   {"run", "--display", "wall"},
                                                                    {"dance"}}) {
         expect_error([&] { (void)parse(words); }, ExitStatus::usage, testing::HasSubstr("--help"));
     }
