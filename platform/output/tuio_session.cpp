@@ -68,6 +68,7 @@ TuioSession::Bundles TuioSession::frame(const TouchReport& report, Clock::time_p
 
 TuioSession::Bundles TuioSession::release_all(Clock::time_point now) {
     Bundles out;
+    follower_.end_all();
     for (Contact& contact : contacts_) contact.over = true;
     say_young_contacts_that_end(out, now);
     contacts_.clear();
@@ -83,32 +84,26 @@ TuioSession::Bundles TuioSession::refresh(Clock::time_point now) {
 }
 
 void TuioSession::take_touches(const TouchReport& report) {
-    for (Contact& contact : contacts_) contact.seen = false;
-    for (const ReportedFinger& touch : report.touches) {
-        const auto known = std::find_if(contacts_.begin(), contacts_.end(),
-                                        [&](const Contact& c) { return c.id == touch.id && !c.over; });
-        const bool is_known = known != contacts_.end();
-        if (is_known) known->seen = true;
-        if (is_known && touch.phase == ReportedPhase::move) {
-            move(*known, touch, report.time_us);
-            continue;
+    for (const ContactChange& change : follower_.take(report.touches)) {
+        switch (change.step) {
+            case ContactStep::begin:
+                contacts_.push_back({.cursor = {.session = change.contact,
+                                                .x = share(change.finger.surface[0]),
+                                                .y = share(change.finger.surface[1])},
+                                     .time_us = report.time_us});
+                break;
+            case ContactStep::move:
+                move(contact_of(change.contact), change.finger, report.time_us);
+                break;
+            case ContactStep::end:
+                contact_of(change.contact).over = true;
+                break;
         }
-        if (is_known) known->over = true;
-        if (touch.phase != ReportedPhase::up) begin(touch, report.time_us);
     }
-    for (Contact& contact : contacts_) contact.over = contact.over || !contact.seen;
 }
 
-void TuioSession::begin(const ReportedFinger& touch, std::uint64_t time_us) {
-    Contact contact;
-    contact.id = touch.id;
-    contact.seen = true;
-    contact.time_us = time_us;
-    contact.cursor.session = next_session_;
-    contact.cursor.x = share(touch.surface[0]);
-    contact.cursor.y = share(touch.surface[1]);
-    next_session_ = advanced(next_session_, 1);
-    contacts_.push_back(contact);
+TuioSession::Contact& TuioSession::contact_of(std::int32_t session) {
+    return *std::ranges::find_if(contacts_, [&](const Contact& c) { return c.cursor.session == session; });
 }
 
 /// Takes the touch's place; velocity and acceleration follow from the place and time before.

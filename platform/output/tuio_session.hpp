@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "platform/output/contact_follower.hpp"
 #include "platform/output/touch_sink.hpp"
 
 namespace touchstone {
@@ -46,7 +47,7 @@ class TuioSession {
     using Clock = std::chrono::steady_clock;
     using Bundles = std::vector<TuioBundle>;
 
-    explicit TuioSession(TuioStart start) : next_fseq_(start.fseq), next_session_(start.session) {}
+    explicit TuioSession(TuioStart start) : next_fseq_(start.fseq), follower_(start.session) {}
 
     /// Ends what an earlier process left, and makes every client take the frames that follow.
     Bundles start(Clock::time_point now);
@@ -58,24 +59,22 @@ class TuioSession {
 
   private:
     struct Contact {
-        int id = 0;  ///< of the report
         TuioCursor cursor;
         std::uint64_t time_us = 0;
         double speed = 0.0;
         int bundles = 0;  ///< in which it was sent
         bool over = false;
-        bool seen = false;  ///< in the report at hand
     };
     enum class Kind { frame, repetition };
 
     void take_touches(const TouchReport& report);
-    void begin(const ReportedFinger& touch, std::uint64_t time_us);
+    Contact& contact_of(std::int32_t session);
     static void move(Contact& contact, const ReportedFinger& touch, std::uint64_t time_us);
     void say(Bundles& out, Kind kind, Clock::time_point now);
     void say_young_contacts_that_end(Bundles& out, Clock::time_point now);
 
     std::int32_t next_fseq_;
-    std::int32_t next_session_;
+    ContactFollower follower_;
     std::vector<Contact> contacts_;
     int empty_frames_to_say_ = 0;
     Clock::time_point last_said_{};
