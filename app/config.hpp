@@ -10,6 +10,7 @@
 #include "pipeline/particle_table.hpp"
 #include "platform/camera/depth_camera.hpp"
 #include "platform/opencl/device.hpp"
+#include "platform/output/touch_screen_events.hpp"
 #include "platform/output/tuio_sink.hpp"
 #include "platform/system/log.hpp"
 
@@ -38,6 +39,8 @@ struct Config {
     std::string bias_file;    ///< of touches; empty: none is taken off
     bool tuio_enabled = true;
     TuioConfig tuio;
+    bool touch_screen_enabled = false;
+    TouchScreenConfig touch_screen;
     DisplayConfig display;
     ParticleTableConfig particles;
     HealthConfig health;

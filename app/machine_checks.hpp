@@ -5,6 +5,7 @@
 
 #include "app/check_report.hpp"
 #include "app/config.hpp"
+#include "platform/output/uinput_sink.hpp"
 
 namespace touchstone {
 
@@ -25,7 +26,7 @@ CheckLine check_drawing();
 CheckLine check_outputs(const std::filesystem::path& drm = "/sys/class/drm");
 
 /// The device through which touches become those of a touch screen.
-CheckLine check_uinput(const std::filesystem::path& node = "/dev/uinput");
+CheckLine check_uinput(const std::filesystem::path& node = uinput_node);
 
 /// Whether systemd starts touchstone by itself.
 CheckLine check_service(const std::filesystem::path& root = "/");

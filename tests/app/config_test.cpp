@@ -27,6 +27,18 @@ TEST(Config, ValuesAreTakenOver) {
     EXPECT_FLOAT_EQ(config.interaction.background.volume.side_m, 2.0f);
 }
 
+TEST(Config, OnlyTuioOverUdpIsOnUnasked) {
+    Config config;
+    EXPECT_TRUE(config.tuio_enabled);
+    EXPECT_FALSE(config.touch_screen_enabled);
+    parse_config("[uinput]\nenabled = true\nslots = 5\nwidth_mm = 640\nheight_mm = 480\n", "table.toml",
+                 config);
+    EXPECT_TRUE(config.touch_screen_enabled);
+    EXPECT_EQ(config.touch_screen.slots, 5);
+    EXPECT_EQ(config.touch_screen.width_mm, 640);
+    EXPECT_EQ(config.touch_screen.height_mm, 480);
+}
+
 TEST(Config, PrintedConfigurationReadsBackTheSame) {
     Config changed;
     changed.interaction.scan_frames = 17;

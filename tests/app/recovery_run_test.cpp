@@ -118,8 +118,8 @@ TEST(RecoveryRun, NoTouchOutlivesTheCamera) {
     expect_no_touch_left_over(lines);
 }
 
-/// Every third picture is torn: on a busy machine one of them, or the one before it, may not be read. Each that
-/// is said was not worked with: its line of events has the number of a frame before it.
+/// Every third picture is torn: on a busy machine one of them, or the one before it, may not be read. Each
+/// that is said was not worked with: its line of events has the number of a frame before it.
 TEST(RecoveryRun, ATornPictureAndAClockThatJumpsTouchNothing) {
     const ProgramResult result =
         run_with("sim:flat?hands=0&seed=3&rate=10&tear=2&tear_every=0.3&clock_jump=3", 45);
