@@ -140,8 +140,8 @@ TEST(FaultySource, IsPulledOut) {
 }
 
 TEST(FaultySource, KeysOfTheUri) {
-    const SimulatorConfig config =
-        parse_simulator_uri("flat?unplug_at=1&stall_at=2&freeze_at=3&tear=4&tear_every=6&clock_jump=5&fault_s=0");
+    const SimulatorConfig config = parse_simulator_uri(
+        "flat?unplug_at=1&stall_at=2&freeze_at=3&tear=4&tear_every=6&clock_jump=5&fault_s=0");
     EXPECT_EQ(config.faults.unplug_s, 1);
     EXPECT_EQ(config.faults.stall_s, 2);
     EXPECT_EQ(config.faults.freeze_s, 3);
