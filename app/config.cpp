@@ -96,9 +96,12 @@ void add_sensor_keys(KeyList& keys, Config& config) {
 
 void add_output_keys(KeyList& keys, Config& config) {
     keys.section("tuio");
-    keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
+    keys.add("enabled", config.tuio.enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");
     keys.add("port", config.tuio.port, 1, 65535, "receiver");
+    keys.add("hover_port", config.tuio.hover_port, 0, 65535,
+             "receiver of 25Dcur, which has hovering fingers as well; 0: none");
+    keys.add("hover_height_mm", config.tuio.hover_height_mm, 10, 1000, "over the surface, where z is 1");
     keys.add("source", config.tuio.source, "name of this table; empty: touchstone@host");
     keys.section("uinput");
     keys.add("enabled", config.touch_screen_enabled,

@@ -11,7 +11,6 @@
 #include "platform/camera/depth_camera.hpp"
 #include "platform/opencl/device.hpp"
 #include "platform/output/touch_screen_events.hpp"
-#include "platform/output/tuio_sink.hpp"
 #include "platform/system/log.hpp"
 
 namespace touchstone {
@@ -27,6 +26,15 @@ struct DisplayConfig {
     std::string photos;             ///< folder; empty: pictures of the program's own
 };
 
+struct TuioConfig {
+    bool enabled = true;
+    std::string host = "127.0.0.1";
+    int port = 3333;
+    int hover_port = 0;             ///< 0: hovers are not sent
+    float hover_height_mm = 150.f;  ///< over the surface, where z is 1
+    std::string source;
+};
+
 /// Everything that can be configured; each member's default is the program's.
 struct Config {
     std::string sensor_uri;
@@ -37,7 +45,6 @@ struct Config {
     std::string scan_file;    ///< empty: the surroundings are scanned at every start
     std::string object_file;  ///< scan of an object that is followed in hands; empty: none
     std::string bias_file;    ///< of touches; empty: none is taken off
-    bool tuio_enabled = true;
     TuioConfig tuio;
     bool touch_screen_enabled = false;
     TouchScreenConfig touch_screen;

@@ -10,6 +10,7 @@
 
 #include "platform/output/event_log.hpp"
 #include "platform/output/tuio_sink.hpp"
+#include "platform/output/udp_channel.hpp"
 
 namespace touchstone {
 namespace {
@@ -39,7 +40,7 @@ TouchReport report_of(const nlohmann::json& line) {
 
 void replay(int port, const char* script, const char* events, bool killed) {
     std::ifstream file(script);
-    TuioSink tuio({.host = "127.0.0.1", .port = port, .source = "replay@127.0.0.1"});
+    TuioSink tuio(std::make_unique<UdpChannel>("127.0.0.1", port), "replay@127.0.0.1");
     EventLog log(events);
     for (std::string line; std::getline(file, line);) {
         const TouchReport report = report_of(nlohmann::json::parse(line));
