@@ -103,6 +103,13 @@ void add_output_keys(KeyList& keys, Config& config) {
              "receiver of 25Dcur, which has hovering fingers as well; 0: none");
     keys.add("hover_height_mm", config.tuio.hover_height_mm, 10, 1000, "over the surface, where z is 1");
     keys.add("source", config.tuio.source, "name of this table; empty: touchstone@host");
+    keys.section("websocket");
+    keys.add("enabled", config.web_socket_enabled, "TUIO 1.1 2Dcur for web pages");
+    keys.add("host", config.web_socket.host,
+             "address of this machine where it is served; 0.0.0.0: all of them");
+    keys.add("port", config.web_socket.port, 1, 65535, "where it is served");
+    keys.add("origin", config.web_socket.origin,
+             "of pages that may listen beside those of this machine, as https://kiosk.example; *: all pages");
     keys.section("uinput");
     keys.add("enabled", config.touch_screen_enabled,
              "touches as those of a touch screen of this machine, which is the interactive area");

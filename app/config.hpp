@@ -11,6 +11,7 @@
 #include "platform/camera/depth_camera.hpp"
 #include "platform/opencl/device.hpp"
 #include "platform/output/touch_screen_events.hpp"
+#include "platform/output/web_socket_channel.hpp"
 #include "platform/system/log.hpp"
 
 namespace touchstone {
@@ -46,6 +47,8 @@ struct Config {
     std::string object_file;  ///< scan of an object that is followed in hands; empty: none
     std::string bias_file;    ///< of touches; empty: none is taken off
     TuioConfig tuio;
+    bool web_socket_enabled = false;
+    WebSocketConfig web_socket;
     bool touch_screen_enabled = false;
     TouchScreenConfig touch_screen;
     DisplayConfig display;

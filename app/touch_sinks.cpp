@@ -4,6 +4,7 @@
 #include "platform/output/tuio_sink.hpp"
 #include "platform/output/udp_channel.hpp"
 #include "platform/output/uinput_sink.hpp"
+#include "platform/output/web_socket_channel.hpp"
 
 namespace touchstone {
 
@@ -26,6 +27,10 @@ Sinks make_touch_sinks(const RunOptions& options) {
     Sinks sinks;
     if (options.events_file) sinks.push_back(std::make_unique<EventLog>(*options.events_file));
     if (config.tuio.enabled) add_tuio(sinks, config.tuio);
+    if (config.web_socket_enabled) {
+        sinks.push_back(std::make_unique<TuioSink>(std::make_unique<WebSocketChannel>(config.web_socket),
+                                                   config.tuio.source));
+    }
     if (config.touch_screen_enabled) sinks.push_back(std::make_unique<UinputSink>(config.touch_screen));
     return sinks;
 }

@@ -31,6 +31,8 @@ TEST(Config, OnlyTuioOverUdpIsOnUnasked) {
     Config config;
     EXPECT_TRUE(config.tuio.enabled);
     EXPECT_EQ(config.tuio.hover_port, 0);
+    EXPECT_FALSE(config.web_socket_enabled);
+    EXPECT_EQ(config.web_socket.host, "127.0.0.1");
     EXPECT_FALSE(config.touch_screen_enabled);
     parse_config("[uinput]\nenabled = true\nslots = 5\nwidth_mm = 640\nheight_mm = 480\n", "table.toml",
                  config);
