@@ -28,7 +28,7 @@ std::vector<CheckLine> check_all(const CheckOptions& options) {
     append(lines, check_compute(config));
     lines.push_back(check_drawing());
     append(lines, output_lines(list_outputs()));
-    lines.push_back(check_uinput());
+    if (config.touch_screen_enabled) lines.push_back(check_uinput());
     lines.push_back(check_service());
     lines.push_back(check_disk(default_cache_dir()));
     lines.push_back(configuration);

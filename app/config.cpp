@@ -94,6 +94,30 @@ void add_sensor_keys(KeyList& keys, Config& config) {
              "grazing / sqrt(z) (theta / (pi/2 - theta))^2");
 }
 
+void add_output_keys(KeyList& keys, Config& config) {
+    keys.section("tuio");
+    keys.add("enabled", config.tuio.enabled, "TUIO 1.1 2Dcur over UDP");
+    keys.add("host", config.tuio.host, "receiver");
+    keys.add("port", config.tuio.port, 1, 65535, "receiver");
+    keys.add("hover_port", config.tuio.hover_port, 0, 65535,
+             "receiver of 25Dcur, which has hovering fingers as well; 0: none");
+    keys.add("hover_height_mm", config.tuio.hover_height_mm, 10, 1000, "over the surface, where z is 1");
+    keys.add("source", config.tuio.source, "name of this table; empty: touchstone@host");
+    keys.section("websocket");
+    keys.add("enabled", config.web_socket_enabled, "TUIO 1.1 2Dcur for web pages");
+    keys.add("host", config.web_socket.host,
+             "address of this machine where it is served; 0.0.0.0: all of them");
+    keys.add("port", config.web_socket.port, 1, 65535, "where it is served");
+    keys.add("origin", config.web_socket.origin,
+             "of pages that may listen beside those of this machine, as https://kiosk.example; *: all pages");
+    keys.section("uinput");
+    keys.add("enabled", config.touch_screen_enabled,
+             "touches as those of a touch screen of this machine, which is the interactive area");
+    keys.add("slots", config.touch_screen.slots, 1, 32, "touches at one time; more are left out");
+    keys.add("width_mm", config.touch_screen.width_mm, 0, 10000, "of the interactive area; 0: not known");
+    keys.add("height_mm", config.touch_screen.height_mm, 0, 10000, "of the interactive area; 0: not known");
+}
+
 }  // namespace
 
 DeviceConfig device_config(const Config& config) {
@@ -141,11 +165,7 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("bias_file", config.bias_file,
              "what the touched crosses told; where it is not there yet, the table asks to touch them; empty: "
              "neither");
-    keys.section("tuio");
-    keys.add("enabled", config.tuio_enabled, "TUIO 1.1 2Dcur over UDP");
-    keys.add("host", config.tuio.host, "receiver");
-    keys.add("port", config.tuio.port, 1, 65535, "receiver");
-    keys.add("source", config.tuio.source, "name of this table; empty: touchstone@host");
+    add_output_keys(keys, config);
     keys.section("display");
     keys.add("width_px", config.display.width_px, 160, 7680, "of a window or a picture without a screen");
     keys.add("height_px", config.display.height_px, 120, 4320, "");

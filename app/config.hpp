@@ -10,7 +10,8 @@
 #include "pipeline/particle_table.hpp"
 #include "platform/camera/depth_camera.hpp"
 #include "platform/opencl/device.hpp"
-#include "platform/output/tuio_sink.hpp"
+#include "platform/output/touch_screen_events.hpp"
+#include "platform/output/web_socket_channel.hpp"
 #include "platform/system/log.hpp"
 
 namespace touchstone {
@@ -35,6 +36,15 @@ struct ProjectorConfig {
     bool spares_hands = true;        ///< nothing is drawn on what moves over the table
 };
 
+struct TuioConfig {
+    bool enabled = true;
+    std::string host = "127.0.0.1";
+    int port = 3333;
+    int hover_port = 0;             ///< 0: hovers are not sent
+    float hover_height_mm = 150.f;  ///< over the surface, where z is 1
+    std::string source;
+};
+
 /// Everything that can be configured; each member's default is the program's.
 struct Config {
     std::string sensor_uri;
@@ -45,8 +55,11 @@ struct Config {
     std::string scan_file;    ///< empty: the surroundings are scanned at every start
     std::string object_file;  ///< scan of an object that is followed in hands; empty: none
     std::string bias_file;    ///< of touches; empty: none is taken off
-    bool tuio_enabled = true;
     TuioConfig tuio;
+    bool web_socket_enabled = false;
+    WebSocketConfig web_socket;
+    bool touch_screen_enabled = false;
+    TouchScreenConfig touch_screen;
     DisplayConfig display;
     ProjectorConfig projector;
     ParticleTableConfig particles;

@@ -104,12 +104,10 @@ CheckLine check_uinput(const fs::path& node) {
     if (access(node.c_str(), R_OK | W_OK) == 0)
         return {"uinput", CheckStatus::ok, node.string() + " may be used", {}};
     std::error_code code;
-    const bool there = fs::exists(node, code);
-    return {"uinput", CheckStatus::warn,
-            fmt::format("{} {}: no touches as those of a touch screen; TUIO does not need it", node.string(),
-                        there ? "may not be used by this user" : "is not there"),
-            there ? "sudo usermod -aG input $USER, and a udev rule that gives uinput to that group"
-                  : "sudo modprobe uinput"};
+    return {"uinput", CheckStatus::fail,
+            fmt::format("{} {}, and [uinput] is enabled", node.string(),
+                        fs::exists(node, code) ? "may not be used by this user" : "is not there"),
+            uinput_advice(node)};
 }
 
 CheckLine check_service(const fs::path& root) {

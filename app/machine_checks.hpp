@@ -7,6 +7,7 @@
 #include "app/check_report.hpp"
 #include "app/config.hpp"
 #include "platform/display/output_choice.hpp"
+#include "platform/output/uinput_sink.hpp"
 
 namespace touchstone {
 
@@ -27,7 +28,7 @@ CheckLine check_drawing();
 std::vector<CheckLine> output_lines(std::span<const Output> outputs);
 
 /// The device through which touches become those of a touch screen.
-CheckLine check_uinput(const std::filesystem::path& node = "/dev/uinput");
+CheckLine check_uinput(const std::filesystem::path& node = uinput_node);
 
 /// Whether systemd starts touchstone by itself.
 CheckLine check_service(const std::filesystem::path& root = "/");

@@ -7,9 +7,8 @@
 
 #include "app/reports.hpp"
 #include "app/touch_bias_file.hpp"
+#include "app/touch_sinks.hpp"
 #include "pipeline/self_test.hpp"
-#include "platform/output/event_log.hpp"
-#include "platform/output/tuio_sink.hpp"
 #include "platform/system/atomic_file.hpp"
 #include "platform/system/log.hpp"
 #include "platform/usb/depth_cameras.hpp"
@@ -20,13 +19,6 @@ namespace {
 
 constexpr int read_timeout_ms = 100;
 constexpr std::chrono::milliseconds retry_interval{500};
-
-std::vector<std::unique_ptr<TouchSink>> make_sinks(const RunOptions& options) {
-    std::vector<std::unique_ptr<TouchSink>> sinks;
-    if (options.events_file) sinks.push_back(std::make_unique<EventLog>(*options.events_file));
-    if (options.config.tuio_enabled) sinks.push_back(std::make_unique<TuioSink>(options.config.tuio));
-    return sinks;
-}
 
 /// What is wrong with the camera that is plugged in, for the operator; empty where none is.
 std::string problem_on_usb() {
@@ -50,7 +42,7 @@ Perception::Perception(const RunOptions& options)
     : options_(options),
       device_(device_config(options.config)),
       health_(options.config.health),
-      sinks_(make_sinks(options)) {
+      sinks_(make_touch_sinks(options)) {
     if (options.maps_dir) maps_.emplace(*options.maps_dir);
     if (!options.config.fault_reports.dir.empty()) fault_reports_.emplace(options.config.fault_reports);
     run_self_test(device_);

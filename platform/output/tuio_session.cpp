@@ -27,6 +27,18 @@ std::int32_t ticks(std::chrono::system_clock::time_point now, std::uint64_t per_
 
 float share(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); }
 
+/// Touching and hovering fingers alike. One that comes up is there still: the next report has it as a hover.
+std::vector<ReportedFinger> fingers_over_the_surface(const TouchReport& report) {
+    std::vector<ReportedFinger> fingers = report.hovers;
+    for (const ReportedFinger& touch : report.touches) {
+        std::erase_if(fingers, [&](const ReportedFinger& finger) { return finger.id == touch.id; });
+        fingers.push_back(touch);
+        if (touch.phase != ReportedPhase::up) fingers.back().height_mm = 0.0;
+    }
+    for (ReportedFinger& finger : fingers) finger.phase = ReportedPhase::move;
+    return fingers;
+}
+
 }  // namespace
 
 TuioStart tuio_start(std::chrono::system_clock::time_point now) {
@@ -68,6 +80,7 @@ TuioSession::Bundles TuioSession::frame(const TouchReport& report, Clock::time_p
 
 TuioSession::Bundles TuioSession::release_all(Clock::time_point now) {
     Bundles out;
+    follower_.end_all();
     for (Contact& contact : contacts_) contact.over = true;
     say_young_contacts_that_end(out, now);
     contacts_.clear();
@@ -83,45 +96,46 @@ TuioSession::Bundles TuioSession::refresh(Clock::time_point now) {
 }
 
 void TuioSession::take_touches(const TouchReport& report) {
-    for (Contact& contact : contacts_) contact.seen = false;
-    for (const ReportedFinger& touch : report.touches) {
-        const auto known = std::find_if(contacts_.begin(), contacts_.end(),
-                                        [&](const Contact& c) { return c.id == touch.id && !c.over; });
-        const bool is_known = known != contacts_.end();
-        if (is_known) known->seen = true;
-        if (is_known && touch.phase == ReportedPhase::move) {
-            move(*known, touch, report.time_us);
-            continue;
+    const auto fingers = unit_height_mm_ ? fingers_over_the_surface(report) : report.touches;
+    for (const ContactChange& change : follower_.take(fingers)) {
+        switch (change.step) {
+            case ContactStep::begin:
+                contacts_.push_back(
+                    {.cursor = cursor_at(change.contact, change.finger), .time_us = report.time_us});
+                break;
+            case ContactStep::move:
+                move(contact_of(change.contact), change.finger, report.time_us);
+                break;
+            case ContactStep::end:
+                contact_of(change.contact).over = true;
+                break;
         }
-        if (is_known) known->over = true;
-        if (touch.phase != ReportedPhase::up) begin(touch, report.time_us);
     }
-    for (Contact& contact : contacts_) contact.over = contact.over || !contact.seen;
 }
 
-void TuioSession::begin(const ReportedFinger& touch, std::uint64_t time_us) {
-    Contact contact;
-    contact.id = touch.id;
-    contact.seen = true;
-    contact.time_us = time_us;
-    contact.cursor.session = next_session_;
-    contact.cursor.x = share(touch.surface[0]);
-    contact.cursor.y = share(touch.surface[1]);
-    next_session_ = advanced(next_session_, 1);
-    contacts_.push_back(contact);
+TuioSession::Contact& TuioSession::contact_of(std::int32_t session) {
+    return *std::ranges::find_if(contacts_, [&](const Contact& c) { return c.cursor.session == session; });
 }
 
-/// Takes the touch's place; velocity and acceleration follow from the place and time before.
-void TuioSession::move(Contact& contact, const ReportedFinger& touch, std::uint64_t time_us) {
-    TuioCursor next{
-        .session = contact.cursor.session, .x = share(touch.surface[0]), .y = share(touch.surface[1])};
+TuioCursor TuioSession::cursor_at(std::int32_t session, const ReportedFinger& finger) const {
+    return {.session = session,
+            .x = share(finger.surface[0]),
+            .y = share(finger.surface[1]),
+            .z = unit_height_mm_ ? share(finger.height_mm / *unit_height_mm_) : 0.f};
+}
+
+/// Takes the finger's place; velocity and acceleration follow from the place and time before.
+void TuioSession::move(Contact& contact, const ReportedFinger& finger, std::uint64_t time_us) const {
+    TuioCursor next = cursor_at(contact.cursor.session, finger);
     if (time_us > contact.time_us) {
         const double dt_s = static_cast<double>(time_us - contact.time_us) * 1e-6;
         const double velocity_x = (next.x - contact.cursor.x) / dt_s;
         const double velocity_y = (next.y - contact.cursor.y) / dt_s;
-        const double speed = std::hypot(velocity_x, velocity_y);
+        const double velocity_z = (next.z - contact.cursor.z) / dt_s;
+        const double speed = std::hypot(velocity_x, velocity_y, velocity_z);
         next.velocity_x = static_cast<float>(velocity_x);
         next.velocity_y = static_cast<float>(velocity_y);
+        next.velocity_z = static_cast<float>(velocity_z);
         next.acceleration = static_cast<float>((speed - contact.speed) / dt_s);
         contact.speed = speed;
     }

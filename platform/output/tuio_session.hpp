@@ -2,27 +2,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "platform/output/contact_follower.hpp"
 #include "platform/output/touch_sink.hpp"
+#include "platform/output/tuio_bundle.hpp"
 
 namespace touchstone {
-
-/// One cursor of /tuio/2Dcur: place in 0..1 of the area, velocity in widths (heights) a second, acceleration
-/// of the speed in the same a second squared.
-struct TuioCursor {
-    std::int32_t session = 0;
-    float x = 0.f, y = 0.f;
-    float velocity_x = 0.f, velocity_y = 0.f;
-    float acceleration = 0.f;
-};
-
-/// One state of the table as a client takes it. fseq -1 marks a repetition of what was said before.
-struct TuioBundle {
-    std::vector<std::int32_t> alive;
-    std::vector<TuioCursor> cursors;
-    std::int32_t fseq = -1;
-};
 
 /// Where the two counters of a process start, both in 1..2^31-1.
 struct TuioStart {
@@ -41,12 +28,16 @@ TuioStart tuio_start(std::chrono::system_clock::time_point now);
 /// second;
 /// - a touch that begins and ends in one report has its end in a bundle of its own;
 /// - a session id is of one contact: a finger that touches again gets a new one.
+/// With a unit of height, a finger is a cursor as long as it is over the surface: its session goes on when it
+/// touches, where its z is 0, and when it comes up.
 class TuioSession {
   public:
     using Clock = std::chrono::steady_clock;
     using Bundles = std::vector<TuioBundle>;
 
-    explicit TuioSession(TuioStart start) : next_fseq_(start.fseq), next_session_(start.session) {}
+    /// `unit_height_mm` over the surface z is 1, and stays 1 above.
+    explicit TuioSession(TuioStart start, std::optional<double> unit_height_mm = {})
+        : unit_height_mm_(unit_height_mm), next_fseq_(start.fseq), follower_(start.session) {}
 
     /// Ends what an earlier process left, and makes every client take the frames that follow.
     Bundles start(Clock::time_point now);
@@ -58,24 +49,25 @@ class TuioSession {
 
   private:
     struct Contact {
-        int id = 0;  ///< of the report
         TuioCursor cursor;
         std::uint64_t time_us = 0;
         double speed = 0.0;
         int bundles = 0;  ///< in which it was sent
         bool over = false;
-        bool seen = false;  ///< in the report at hand
     };
     enum class Kind { frame, repetition };
 
     void take_touches(const TouchReport& report);
-    void begin(const ReportedFinger& touch, std::uint64_t time_us);
-    static void move(Contact& contact, const ReportedFinger& touch, std::uint64_t time_us);
+    Contact& contact_of(std::int32_t session);
+    /// A cursor that does not move.
+    TuioCursor cursor_at(std::int32_t session, const ReportedFinger& finger) const;
+    void move(Contact& contact, const ReportedFinger& finger, std::uint64_t time_us) const;
     void say(Bundles& out, Kind kind, Clock::time_point now);
     void say_young_contacts_that_end(Bundles& out, Clock::time_point now);
 
+    std::optional<double> unit_height_mm_;
     std::int32_t next_fseq_;
-    std::int32_t next_session_;
+    ContactFollower follower_;
     std::vector<Contact> contacts_;
     int empty_frames_to_say_ = 0;
     Clock::time_point last_said_{};

@@ -1,27 +1,22 @@
 #pragma once
 
-#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "platform/output/osc_bundle.hpp"
 #include "platform/output/touch_sink.hpp"
 #include "platform/output/tuio_session.hpp"
 
 namespace touchstone {
 
-struct TuioConfig {
-    std::string host = "127.0.0.1";
-    int port = 3333;
-    std::string
-        source;  ///< clients keep the cursors of each source apart; empty: touchstone@ and the host's name
-};
-
-/// TUIO 1.1, profile /tuio/2Dcur, over UDP. A receiver that is not there is no error: it may start at any
-/// time.
+/// TUIO 1.1 over any channel: /tuio/2Dcur of the touches, or /tuio/25Dcur of hovers as well.
 class TuioSink : public TouchSink {
   public:
-    /// Says the empty table. Throws Error{configuration} where the host has no address or the port is none.
-    explicit TuioSink(const TuioConfig& config);
+    /// Says the empty table. Clients keep the cursors of each source apart; empty: touchstone@ and the host's
+    /// name. With `unit_height_mm`, which is 1 on the axis z, it is 25Dcur.
+    TuioSink(std::unique_ptr<OscChannel> channel, const std::string& source,
+             std::optional<double> unit_height_mm = {});
     /// Says twice that all touches are over.
     ~TuioSink() override;
     void publish(const TouchReport& report) override;
@@ -29,14 +24,11 @@ class TuioSink : public TouchSink {
     void idle() override;
 
   private:
-    struct AddressDeleter {
-        void operator()(void* address) const;
-    };
     void send(const TuioSession::Bundles& bundles);
-    void send_part(const TuioBundle& bundle, std::size_t first_cursor, std::size_t cursors);
 
+    std::unique_ptr<OscChannel> channel_;
     std::string source_;
-    std::unique_ptr<void, AddressDeleter> address_;  ///< liblo's lo_address
+    TuioProfile profile_;
     TuioSession session_;
 };
 

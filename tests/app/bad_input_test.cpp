@@ -75,6 +75,14 @@ TEST(BadInput, UnknownKeyInTheConfiguration) {
                    AllOf(HasSubstr("table.toml:2"), HasSubstr("volume.size"), HasSubstr("size_vox")));
 }
 
+TEST(BadInput, ATouchScreenThatCannotBeMade) {
+    if (access("/dev/uinput", R_OK | W_OK) == 0) GTEST_SKIP() << "this machine makes touch screens";
+    const TemporaryFolder folder;
+    std::ofstream(folder / "table.toml") << "[uinput]\nenabled = true\n";
+    expect_refused(touchstone_run({"--sensor", "sim:flat", "--config", (folder / "table.toml").string()}), 69,
+                   AllOf(HasSubstr("/dev/uinput"), HasSubstr("sudo "), HasSubstr("[uinput] enabled")));
+}
+
 TEST(BadInput, UnknownSceneOrKeyOfTheSimulator) {
     expect_refused(touchstone_run({"--sensor", "sim:moon"}), 64, HasSubstr("moon"));
     expect_refused(touchstone_run({"--sensor", "sim:flat?hands=9"}), 64, HasSubstr("hands"));

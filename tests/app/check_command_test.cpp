@@ -1,9 +1,11 @@
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/platform/usb/emulated_usb.hpp"
 #include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace touchstone {
 namespace {
@@ -37,10 +39,23 @@ TEST_F(CheckCommandTest, SaysWhatIsPluggedInAndFailsWithoutACamera) {
     EXPECT_EQ(status_of("sensor", page), "fail");
     for (const char* subject : {"drivers", "OpenCL device", "drawing", "configuration"})
         EXPECT_EQ(status_of(subject, page), "ok") << subject;
-    for (const char* subject : {"speed", "outputs", "uinput", "service", "disk"})
+    for (const char* subject : {"speed", "outputs", "service", "disk"})
         EXPECT_NE(status_of(subject, page), "none") << subject;
     for (const auto& line : page["checks"])
         EXPECT_EQ(line["status"] == "ok", line["advice"] == "") << line["subject"];
+}
+
+TEST_F(CheckCommandTest, UinputIsCheckedWhereItIsWanted) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "table.toml").string();
+    const auto check = [&] {
+        return nlohmann::json::parse(
+            run_program({TOUCHSTONE_PROGRAM, "check", "--json", "--config", file}).out);
+    };
+    std::ofstream(file) << "[uinput]\nenabled = false\n";
+    EXPECT_EQ(status_of("uinput", check()), "none");
+    std::ofstream(file) << "[uinput]\nenabled = true\n";
+    EXPECT_NE(status_of("uinput", check()), "none");
 }
 
 TEST_F(CheckCommandTest, AKinectPluggedInIsAnnouncedByOurDriver) {

@@ -130,6 +130,7 @@ TEST(MachineChecks, OutputsWithTheirModesALineEach) {
 
 TEST(MachineChecks, UinputAndService) {
     const TemporaryFolder root;
+    EXPECT_EQ(check_uinput(root / "uinput").status, CheckStatus::fail);
     EXPECT_THAT(check_uinput(root / "uinput").advice, HasSubstr("modprobe"));
     std::ofstream(root / "uinput") << "";
     EXPECT_EQ(check_uinput(root / "uinput").status, CheckStatus::ok);

@@ -23,8 +23,23 @@ TEST(Config, ValuesAreTakenOver) {
                  "table.toml", config);
     EXPECT_EQ(config.interaction.scan_frames, 12);
     EXPECT_EQ(config.tuio.host, "10.0.0.7");
-    EXPECT_FALSE(config.tuio_enabled);
+    EXPECT_FALSE(config.tuio.enabled);
     EXPECT_FLOAT_EQ(config.interaction.background.volume.side_m, 2.0f);
+}
+
+TEST(Config, OnlyTuioOverUdpIsOnUnasked) {
+    Config config;
+    EXPECT_TRUE(config.tuio.enabled);
+    EXPECT_EQ(config.tuio.hover_port, 0);
+    EXPECT_FALSE(config.web_socket_enabled);
+    EXPECT_EQ(config.web_socket.host, "127.0.0.1");
+    EXPECT_FALSE(config.touch_screen_enabled);
+    parse_config("[uinput]\nenabled = true\nslots = 5\nwidth_mm = 640\nheight_mm = 480\n", "table.toml",
+                 config);
+    EXPECT_TRUE(config.touch_screen_enabled);
+    EXPECT_EQ(config.touch_screen.slots, 5);
+    EXPECT_EQ(config.touch_screen.width_mm, 640);
+    EXPECT_EQ(config.touch_screen.height_mm, 480);
 }
 
 TEST(Config, PrintedConfigurationReadsBackTheSame) {

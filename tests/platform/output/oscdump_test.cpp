@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "platform/output/tuio_sink.hpp"
+#include "platform/output/udp_channel.hpp"
 #include "tests/platform/output/udp_receiver.hpp"
 
 namespace touchstone {
@@ -31,6 +32,8 @@ bool is_listening(int port) {
 /// oscdump on a port, writing to a file, from its making to its end.
 class OscDump {
   public:
+    static bool is_installed() { return std::system("command -v oscdump >/dev/null") == 0; }
+
     explicit OscDump(int port)
         : file_(testing::TempDir() + "oscdump_" + std::to_string(port)), pid_(::fork()) {
         if (pid_ == 0) {
@@ -67,13 +70,12 @@ class OscDump {
 };
 
 TEST(OscDumpReads, EveryMessageOfATapInOrderAndWithItsTypes) {
-    if (std::system("command -v oscdump >/dev/null") != 0)
-        GTEST_SKIP() << "oscdump (liblo-tools) is not installed";
+    if (!OscDump::is_installed()) GTEST_SKIP() << "oscdump (liblo-tools) is not installed";
     int port = 0;
     { port = UdpReceiver().port(); }
     const OscDump dump(port);
     {
-        TuioSink sink({.host = "127.0.0.1", .port = port, .source = "table@127.0.0.1"});
+        TuioSink sink(std::make_unique<UdpChannel>("127.0.0.1", port), "table@127.0.0.1");
         TouchReport report;
         const ReportedFinger touch{.id = 1, .surface = {0.25, 0.75}};
         report.touches = {touch};
@@ -94,6 +96,35 @@ TEST(OscDumpReads, EveryMessageOfATapInOrderAndWithItsTypes) {
                 ElementsAre(source, alive, set, count, source, alive, set, again));
     EXPECT_THAT(std::vector(lines.begin() + 17, lines.end()),
                 ElementsAre(source, empty, count, source, empty, again));
+}
+
+TEST(OscDumpReads, AHoverThatTouchesAsOneCursorOf25Dcur) {
+    if (!OscDump::is_installed()) GTEST_SKIP() << "oscdump (liblo-tools) is not installed";
+    int port = 0;
+    { port = UdpReceiver().port(); }
+    const OscDump dump(port);
+    {
+        TuioSink sink(std::make_unique<UdpChannel>("127.0.0.1", port), "table@127.0.0.1", 150.0);
+        TouchReport report;
+        report.hovers = {{.id = 1, .surface = {0.25, 0.75}, .height_mm = 75.0}};
+        sink.publish(report);
+        report.touches = std::exchange(report.hovers, {});
+        report.time_us = 500'000;
+        sink.publish(report);
+    }
+    const auto lines = dump.lines(23);
+    ASSERT_THAT(lines, testing::SizeIs(23));
+    EXPECT_THAT(lines, testing::Each(testing::StartsWith("/tuio/25Dcur ")));
+    using testing::MatchesRegex;
+    EXPECT_THAT(lines[11],
+                MatchesRegex(R"(/tuio/25Dcur sifffffff "set" [0-9]+ 0.25\S* 0.75\S* 0.5\S*( 0.0+){4})"));
+    EXPECT_THAT(lines[15],
+                MatchesRegex(R"(/tuio/25Dcur sifffffff "set" [0-9]+ 0.25\S* 0.75\S*( 0.0+){3} -1.0+ 2.0+)"));
+    const auto session_of = [](const std::string& line) {
+        const std::size_t begin = line.find("\"set\" ") + 6;
+        return line.substr(begin, line.find(' ', begin) - begin);
+    };
+    EXPECT_EQ(session_of(lines[11]), session_of(lines[15]));
 }
 
 }  // namespace

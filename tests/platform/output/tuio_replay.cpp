@@ -5,44 +5,22 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "platform/output/event_log.hpp"
 #include "platform/output/tuio_sink.hpp"
+#include "platform/output/udp_channel.hpp"
+#include "tests/support/event_line_reader.hpp"
 
 namespace touchstone {
 namespace {
 
-ReportedFinger finger_of(const nlohmann::json& object) {
-    ReportedFinger finger;
-    finger.id = object.at("id");
-    const std::string phase = object.value("phase", "move");
-    finger.phase = phase == "down" ? ReportedPhase::down
-                   : phase == "up" ? ReportedPhase::up
-                                   : ReportedPhase::move;
-    finger.camera_mm = object.at("camera_mm");
-    finger.surface = object.at("surface");
-    finger.height_mm = object.at("height_mm");
-    return finger;
-}
-
-TouchReport report_of(const nlohmann::json& line) {
-    TouchReport report;
-    report.frame = line.at("frame");
-    report.time_us = line.at("time_us");
-    report.state = line.at("state");
-    for (const auto& touch : line.at("touches")) report.touches.push_back(finger_of(touch));
-    for (const auto& hover : line.at("hovers")) report.hovers.push_back(finger_of(hover));
-    return report;
-}
-
 void replay(int port, const char* script, const char* events, bool killed) {
     std::ifstream file(script);
-    TuioSink tuio({.host = "127.0.0.1", .port = port, .source = "replay@127.0.0.1"});
+    TuioSink tuio(std::make_unique<UdpChannel>("127.0.0.1", port), "replay@127.0.0.1");
     EventLog log(events);
     for (std::string line; std::getline(file, line);) {
-        const TouchReport report = report_of(nlohmann::json::parse(line));
+        const TouchReport report = report_of(line);
         tuio.publish(report);
         log.publish(report);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

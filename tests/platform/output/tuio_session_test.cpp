@@ -153,6 +153,70 @@ TEST_F(TuioSessionTest, ReleaseSaysTheEmptyTableTwiceAndKeepsCounting) {
     EXPECT_THAT(said[2].alive, IsEmpty());
 }
 
+/// A session of 25Dcur that says 1 for 100 mm, with frames at 30 Hz.
+class TuioHoverTest : public testing::Test {
+  protected:
+    TuioHoverTest() { session_.start(now_); }
+
+    TuioCursor cursor_of(std::vector<ReportedFinger> touches, std::vector<ReportedFinger> hovers) {
+        const auto said = frame(std::move(touches), std::move(hovers));
+        if (said.empty() || said[0].cursors.size() != 1) {
+            ADD_FAILURE() << "no cursor, or several";
+            return {};
+        }
+        return said[0].cursors[0];
+    }
+    TuioSession::Bundles frame(std::vector<ReportedFinger> touches, std::vector<ReportedFinger> hovers) {
+        ++count_;
+        now_ += std::chrono::microseconds(33'333);
+        return session_.frame({.frame = count_,
+                               .time_us = static_cast<std::uint64_t>(count_) * 33'333,
+                               .state = "live",
+                               .touches = std::move(touches),
+                               .hovers = std::move(hovers)},
+                              now_);
+    }
+    static ReportedFinger at_height(double height_mm, ReportedPhase phase = down) {
+        return {.id = 3, .phase = phase, .surface = {0.5, 0.5}, .height_mm = height_mm};
+    }
+
+    TuioSession::Clock::time_point now_{std::chrono::hours(1)};
+    int count_ = 0;
+    TuioSession session_{TuioStart{.fseq = 1000, .session = 7}, 100.0};
+};
+
+TEST_F(TuioHoverTest, AFingerKeepsItsSessionFromHoverToTouchAndBack) {
+    EXPECT_FLOAT_EQ(cursor_of({}, {at_height(80)}).z, 0.8f);
+    EXPECT_FLOAT_EQ(cursor_of({at_height(0.4, down)}, {}).z, 0.f) << "in contact, whatever was measured";
+    EXPECT_FLOAT_EQ(cursor_of({at_height(0.4, move)}, {}).z, 0.f);
+    EXPECT_FLOAT_EQ(cursor_of({at_height(12, up)}, {}).z, 0.12f);
+    const TuioCursor last = cursor_of({}, {at_height(30)});
+    EXPECT_FLOAT_EQ(last.z, 0.3f);
+    EXPECT_EQ(last.session, 7);
+    EXPECT_THAT(frame({}, {})[0].alive, IsEmpty());
+}
+
+TEST_F(TuioHoverTest, HeightHasAVelocityAndIsOneAtMost) {
+    cursor_of({}, {at_height(60)});
+    const TuioCursor rising = cursor_of({}, {at_height(90)});
+    EXPECT_NEAR(rising.velocity_z, 0.3 / 0.033333, 1e-4);
+    EXPECT_NEAR(rising.acceleration, 0.3 / 0.033333 / 0.033333, 1e-2);
+    EXPECT_FLOAT_EQ(cursor_of({}, {at_height(250)}).z, 1.f);
+}
+
+TEST_F(TuioHoverTest, ATapWithinAReportIsDownForAFrame) {
+    cursor_of({}, {at_height(20)});
+    const auto said = frame({at_height(0.3, down), at_height(4, up)}, {});
+    ASSERT_THAT(said, SizeIs(1));
+    EXPECT_THAT(said[0].alive, ElementsAre(7)) << "still over the surface";
+}
+
+TEST_F(TuioSessionTest, HoversAreNoCursorsOf2Dcur) {
+    ++count_;
+    const TouchReport report{.state = "live", .touches = {}, .hovers = {finger(1, down)}};
+    EXPECT_THAT(session_.frame(report, now_), IsEmpty());
+}
+
 TEST(TuioSessionStart, IsTakenByAClientWithAnyCountAndClearsItsCursors) {
     const TuioSession::Clock::time_point now{};
     for (std::int32_t seen = 800; seen <= 1300; ++seen) {

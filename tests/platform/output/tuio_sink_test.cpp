@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "platform/system/error.hpp"
+#include "platform/output/udp_channel.hpp"
 #include "tests/platform/output/udp_receiver.hpp"
+#include "tests/support/expect_error.hpp"
 
 namespace touchstone {
 namespace {
@@ -27,8 +28,9 @@ std::string osc_string(std::string text) {
     text.resize(text.size() / 4 * 4 + 4, '\0');
     return text;
 }
-std::string osc_message(const std::string& types, const std::string& arguments) {
-    const std::string message = osc_string("/tuio/2Dcur") + osc_string(types) + arguments;
+std::string osc_message(const std::string& types, const std::string& arguments,
+                        const std::string& address = "/tuio/2Dcur") {
+    const std::string message = osc_string(address) + osc_string(types) + arguments;
     return osc_int(static_cast<std::int32_t>(message.size())) + message;
 }
 std::string bundle_head(const std::string& source) {
@@ -54,8 +56,8 @@ std::int32_t fseq_of(const std::string& datagram) { return int_at(datagram, data
 
 constexpr const char* source = "kinectable@127.0.0.1";
 
-TuioConfig config_for(const UdpReceiver& receiver) {
-    return {.host = "127.0.0.1", .port = receiver.port(), .source = source};
+std::unique_ptr<OscChannel> channel_to(const UdpReceiver& receiver) {
+    return std::make_unique<UdpChannel>("127.0.0.1", receiver.port());
 }
 
 ReportedFinger finger(int id, ReportedPhase phase, double u, double v) {
@@ -64,7 +66,7 @@ ReportedFinger finger(int id, ReportedPhase phase, double u, double v) {
 
 TEST(TuioSink, OneCursorIsTheGoldenDatagram) {
     const UdpReceiver receiver;
-    TuioSink sink(config_for(receiver));
+    TuioSink sink(channel_to(receiver), source);
     receiver.take_all();
     TouchReport report;
     report.touches = {finger(1, ReportedPhase::down, 0.25, 0.75)};
@@ -82,9 +84,33 @@ TEST(TuioSink, OneCursorIsTheGoldenDatagram) {
     EXPECT_GT(fseq_of(datagram), 0);
 }
 
+TEST(TuioSink, AHoveringFingerIsTheGoldenDatagramOf25Dcur) {
+    const UdpReceiver receiver;
+    TuioSink sink(channel_to(receiver), source, 100.0);
+    receiver.take_all();
+    TouchReport report;
+    report.hovers = {{.id = 1, .surface = {0.25, 0.75}, .height_mm = 50.0}};
+    sink.publish(report);
+    const std::string datagram = receiver.take();
+    const auto message = [](const std::string& types, const std::string& arguments) {
+        return osc_message(types, arguments, "/tuio/25Dcur");
+    };
+    const std::string before_session = osc_string("#bundle") + osc_int(0) + osc_int(1) +
+                                       message(",ss", osc_string("source") + osc_string(source)) +
+                                       message(",si", osc_string("alive"));
+    const std::int32_t session = int_at(datagram, before_session.size());
+    std::string set = osc_string("set") + osc_int(session);
+    for (const float number : {0.25f, 0.75f, 0.5f, 0.f, 0.f, 0.f, 0.f}) set += osc_float(number);
+    EXPECT_EQ(datagram, osc_string("#bundle") + osc_int(0) + osc_int(1) +
+                            message(",ss", osc_string("source") + osc_string(source)) +
+                            message(",si", osc_string("alive") + osc_int(session)) +
+                            message(",sifffffff", set) +
+                            message(",si", osc_string("fseq") + osc_int(fseq_of(datagram))));
+}
+
 TEST(TuioSink, SaysTheEmptyTableAtStartAndTwiceAtTheEnd) {
     const UdpReceiver receiver;
-    { const TuioSink sink(config_for(receiver)); }
+    { const TuioSink sink(channel_to(receiver), source); }
     const auto datagrams = receiver.take_all();
     ASSERT_THAT(datagrams, SizeIs(5));
     for (const std::string& datagram : datagrams) {
@@ -98,7 +124,7 @@ TEST(TuioSink, SaysTheEmptyTableAtStartAndTwiceAtTheEnd) {
 
 TEST(TuioSink, ReleaseSaysTheEmptyTableTwice) {
     const UdpReceiver receiver;
-    TuioSink sink(config_for(receiver));
+    TuioSink sink(channel_to(receiver), source);
     receiver.take_all();
     sink.release_all();
     EXPECT_THAT(receiver.take_all(), SizeIs(2));
@@ -108,7 +134,7 @@ TEST(TuioSink, ReleaseSaysTheEmptyTableTwice) {
 
 TEST(TuioSink, SplitsWhatDoesNotFitInADatagramAndRepeatsSourceAliveAndCount) {
     const UdpReceiver receiver;
-    TuioSink sink(config_for(receiver));
+    TuioSink sink(channel_to(receiver), source);
     receiver.take_all();
     TouchReport report;
     for (int id = 0; id < 50; ++id) report.touches.push_back(finger(id, ReportedPhase::down, id / 50.0, 0.5));
@@ -129,7 +155,7 @@ TEST(TuioSink, SplitsWhatDoesNotFitInADatagramAndRepeatsSourceAliveAndCount) {
 
 TEST(TuioSink, TwentyTwoCursorsFitInOneDatagram) {
     const UdpReceiver receiver;
-    TuioSink sink(config_for(receiver));
+    TuioSink sink(channel_to(receiver), source);
     receiver.take_all();
     TouchReport report;
     for (int id = 0; id < 22; ++id) report.touches.push_back(finger(id, ReportedPhase::down, 0.5, 0.5));
@@ -138,29 +164,23 @@ TEST(TuioSink, TwentyTwoCursorsFitInOneDatagram) {
 }
 
 TEST(TuioSink, AReceiverThatIsNotThereIsNoErrorAndMayStartLater) {
-    TuioConfig config;
-    { config = config_for(UdpReceiver()); }
-    TuioSink sink(config);
+    int port = 0;
+    { port = UdpReceiver().port(); }
+    TuioSink sink(std::make_unique<UdpChannel>("127.0.0.1", port), source);
     TouchReport report;
     report.touches = {finger(1, ReportedPhase::down, 0.5, 0.5)};
     for (int i = 0; i < 50; ++i) sink.publish(report);
-    const UdpReceiver late(config.port);
+    const UdpReceiver late(port);
     sink.publish(report);
     sink.publish(report);
     EXPECT_THAT(late.take(), testing::Not(testing::IsEmpty()));
 }
 
-TEST(TuioSink, NamesAHostWithoutAddressAndAPortThatIsNone) {
-    for (const TuioConfig& config : {TuioConfig{.host = "no such host", .port = 3333, .source = {}},
-                                     TuioConfig{.host = "127.0.0.1", .port = 70'000, .source = {}}}) {
-        try {
-            const TuioSink sink(config);
-            FAIL() << "no error for " << config.host << ':' << config.port;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.status(), ExitStatus::configuration);
-            EXPECT_THAT(error.what(), testing::HasSubstr("TUIO"));
-        }
-    }
+TEST(UdpChannel, NamesAHostWithoutAddressAndAPortThatIsNone) {
+    expect_error([] { UdpChannel("no such host", 3333); }, ExitStatus::configuration,
+                 testing::HasSubstr("TUIO host no such host"));
+    expect_error([] { UdpChannel("127.0.0.1", 70'000); }, ExitStatus::configuration,
+                 testing::HasSubstr("TUIO port 70000"));
 }
 
 }  // namespace
