@@ -8,27 +8,31 @@ namespace touchstone {
 
 namespace {
 
-void copy(const GlFramebuffer& from, GLint to, const DisplayRect& rect) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(to));
-    glBlitFramebuffer(0, 0, from.size_px().width_px, from.size_px().height_px,
+/// As large as fits into the picture that is bound, of that size.
+void show_as_it_is(const GlFramebuffer& view, PixelSize size) {
+    GLint screen = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &screen);
+    const DisplayRect rect =
+        fit_view(view.size_px(),
+                 {{0.f, 0.f}, {static_cast<float>(size.width_px), static_cast<float>(size.height_px)}})
+            .rect;
+    glClearColor(0.f, 0.f, 0.f, 1.f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, view.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(screen));
+    glBlitFramebuffer(0, 0, view.size_px().width_px, view.size_px().height_px,
                       static_cast<GLint>(rect.min_px.x()), static_cast<GLint>(rect.min_px.y()),
                       static_cast<GLint>(rect.max_px.x()), static_cast<GLint>(rect.max_px.y()),
                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
-DisplayRect all_of(PixelSize size) {
-    return {{0.f, 0.f}, {static_cast<float>(size.width_px), static_cast<float>(size.height_px)}};
-}
-
 }  // namespace
 
 struct ProjectedDisplay::Parts {
-    explicit Parts(PixelSize size) : view(size), thrown(size, DepthBuffer::with) {}
+    explicit Parts(PixelSize size) : view(size) {}
 
     SurfaceProjection projection;
-    GlFramebuffer view;    // from above
-    GlFramebuffer thrown;  // the projector's picture has no depth buffer
+    GlFramebuffer view;  // from above
 };
 
 ProjectedDisplay::ProjectedDisplay(Display& projector, const ProjectedDisplayConfig& config)
@@ -55,19 +59,12 @@ void ProjectedDisplay::begin_frame() { parts_->view.bind(); }
 
 void ProjectedDisplay::present() {
     Parts& p = *parts_;
-    projector_.begin_frame();
-    GLint screen = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &screen);
-    const PixelSize size = projector_.size_px();
-    if (p.projection.has_mapping()) {
-        if (p.thrown.size_px() != size) p.thrown = GlFramebuffer(size, DepthBuffer::with);
-        p.thrown.bind();
-        p.projection.draw(p.view.color());
-        copy(p.thrown, screen, all_of(size));
+    projector_.begin_frame();  // a window has its new size from here on
+    if (!p.projection.has_mapping()) {
+        show_as_it_is(p.view, projector_.size_px());
     } else {
-        glClearColor(0.f, 0.f, 0.f, 1.f);
-        glClear(GL_COLOR_BUFFER_BIT);
-        copy(p.view, screen, fit_view(p.view.size_px(), all_of(size)).rect);
+        if (p.projection.prepare(projector_.size_px())) projector_.begin_frame();
+        p.projection.draw(p.view.color());
     }
     projector_.present();
 }

@@ -4,10 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/projector_model.hpp"
 #include "platform/display/gl_program.hpp"
 #include "platform/display/gl_texture.hpp"
-#include "ui/projection_mesh.hpp"
+#include "ui/lit_points.hpp"
 #include "ui/view_from_above.hpp"
 
 namespace touchstone {
@@ -21,27 +20,24 @@ class SurfaceProjection {
     /// A pinhole lights the surface, or without one the view's area; a homography knows the area only. A
     /// surface is taken to the GPU again only when it has another version.
     void set_mapping(const ProjectorModel& model, const ViewFromAbove& view, const SurfaceGrid* surface);
-    bool has_mapping() const { return corners_ > 0; }
+    bool has_mapping() const { return points_.has_surface(); }
     /// What the depth camera sees in front of the surface gets no light: the moving foreground of its view.
     void set_hands(const ShadedView& seen, const Intrinsics& intrinsics, const RigidTransform& T_g_c);
     void forget_hands() { has_hands_ = false; }
 
-    /// Into all of the bound picture, which has a depth buffer and may be of another size than the model's.
+    /// Before each frame, with the size of the projector's picture: true when another picture is bound now.
+    bool prepare(PixelSize projector) { return points_.update(projector); }
+    /// Into all of the bound picture.
     void draw(const GlTexture& picture) const;
 
   private:
-    using Projection = Eigen::Matrix<float, 3, 4>;  // of the scan's points, to places times depth
-
-    void upload(const ProjectionMesh& mesh);
+    using Projection = Eigen::Matrix<float, 3, 4>;  // of the scan's points, to pixels times depth
 
     GlProgram everywhere_, sparing_;
     GlVertexArrayHandle vertex_array_{new_gl_vertex_array()};
-    GlBufferHandle corner_buffer_{new_gl_buffer()}, index_buffer_{new_gl_buffer()};
-    std::optional<int> version_;  // of the surface that is on the GPU
-    GLsizei corners_ = 0;         // of triangles
-
-    ProjectorModel model_;
-    Projection to_projector_, to_view_, to_camera_;
+    LitPoints points_;
+    std::optional<int> surface_version_;  // of the surface that is on the GPU
+    Projection to_view_, to_camera_;
     PixelSize view_size_;
     bool has_hands_ = false;
     std::optional<GlTexture> background_;

@@ -7,15 +7,9 @@
 
 namespace touchstone {
 
-GlFramebuffer::GlFramebuffer(PixelSize size, DepthBuffer depth) : color_(size) {
+GlFramebuffer::GlFramebuffer(PixelSize size) : color_(size) {
     glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.id(), 0);
-    if (depth == DepthBuffer::with) {
-        depth_ = GlRenderbufferHandle(new_gl_renderbuffer());
-        glBindRenderbuffer(GL_RENDERBUFFER, depth_.id());
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size.width_px, size.height_px);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
-    }
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(ExitStatus::unavailable,
                     "The graphics driver cannot draw into a picture of " + std::to_string(size.width_px) +

@@ -4,14 +4,11 @@
 
 namespace touchstone {
 
-enum class DepthBuffer { without, with };
-
-/// A picture to draw into: RGBA, 8 bits. Its contents are unknown until the first clear.
+/// A picture to draw into: RGBA, 8 bits, no depth buffer. Its contents are unknown until the first clear.
 class GlFramebuffer {
   public:
-    /// Throws Error{unavailable} when the driver cannot draw into a picture of that size. A depth buffer has
-    /// 24 bits.
-    explicit GlFramebuffer(PixelSize size, DepthBuffer depth = DepthBuffer::without);
+    /// Throws Error{unavailable} when the driver cannot draw into a picture of that size.
+    explicit GlFramebuffer(PixelSize size);
 
     PixelSize size_px() const { return color_.size_px(); }
     const GlTexture& color() const { return color_; }
@@ -24,7 +21,6 @@ class GlFramebuffer {
   private:
     GlTexture color_;
     GlFramebufferHandle handle_{new_gl_framebuffer()};
-    GlRenderbufferHandle depth_;
 };
 
 }  // namespace touchstone

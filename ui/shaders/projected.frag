@@ -1,8 +1,9 @@
 #version 310 es
 precision highp float;
 
-uniform sampler2D u_picture;  // the view from above
-uniform mat4x3 u_view;        // of the scan's points to its pixels, times depth
+uniform highp usampler2D u_points;  // that each pixel lights, in the scan's frame: lit_point.frag
+uniform sampler2D u_picture;        // the view from above
+uniform mat4x3 u_view;              // of the scan's points to its pixels, times depth
 uniform vec2 u_view_size_px;
 #ifdef SPARES_HANDS
 uniform sampler2D u_background;  // of the depth camera's picture: 1 background, 0 a hand
@@ -10,22 +11,23 @@ uniform mat4x3 u_camera;         // of the scan's points to its pixels, times de
 uniform vec2 u_camera_size_px;
 #endif
 
-in vec3 v_point_g;
-
 out vec4 color;
 
-const int most_samples = 4;  // each way
+const int most_samples = 4;     // each way
+const float least_px = 1.1;     // what covers less is one sample, without a loop: a software GL is slow at those
+const float widest_px = 12.0;   // what covers more lies across an edge of the surface
 
-// Pixel centres at whole numbers.
-vec2 place_of(mat4x3 camera) {
-    vec3 p = camera * vec4(v_point_g, 1.0);
-    return p.xy / p.z + 0.5;
+// Shares of a picture whose pixels have their centres at whole numbers.
+vec2 place_of(vec3 point_g, mat4x3 camera, vec2 size_px) {
+    vec3 p = camera * vec4(point_g, 1.0);
+    return (p.xy / p.z + 0.5) / size_px;
 }
 
 // The mean over what a pixel of the projector covers: as many samples as it covers pixels.
 vec3 covered(vec2 uv, vec2 across, vec2 down) {
     float footprint_px = max(length(across * u_view_size_px), length(down * u_view_size_px));
-    int n = clamp(int(ceil(footprint_px - 0.1)), 1, most_samples);
+    if (footprint_px < least_px || footprint_px > widest_px) return textureLod(u_picture, uv, 0.0).rgb;
+    int n = min(int(ceil(footprint_px)), most_samples);
     vec3 sum = vec3(0.0);
     for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x) {
@@ -36,14 +38,16 @@ vec3 covered(vec2 uv, vec2 across, vec2 down) {
 }
 
 void main() {
-    vec2 uv = place_of(u_view) / u_view_size_px;
+    uvec4 texel = texelFetch(u_points, ivec2(gl_FragCoord.xy), 0);
+    vec3 point_g = uintBitsToFloat(texel.xyz);
+    vec2 uv = place_of(point_g, u_view, u_view_size_px);
     uv.y = 1.0 - uv.y;
     vec2 across = dFdx(uv), down = dFdy(uv);
     color = vec4(0.0, 0.0, 0.0, 1.0);
-    if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return;
+    if (texel.w == 0u || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return;
     color.rgb = covered(uv, across, down);
 #ifdef SPARES_HANDS
-    float background = textureLod(u_background, place_of(u_camera) / u_camera_size_px, 0.0).r;
+    float background = textureLod(u_background, place_of(point_g, u_camera, u_camera_size_px), 0.0).r;
     color.rgb *= smoothstep(0.5, 1.0, background);
 #endif
 }
