@@ -35,7 +35,8 @@ class ProjectionFixture : public testing::Test {
         return r2 < 1.f ? -0.05f * (1.f - r2) * (1.f - r2) : 0.f;
     }
 
-    ProjectionFixture() {
+    explicit ProjectionFixture(PixelSize display = projector_size)
+        : projector_(make_headless_display(display)) {
         T_g_t_.linear() =
             Eigen::AngleAxisf(0.5f, Eigen::Vector3f(0.2f, 0.3f, 0.9f).normalized()).toRotationMatrix();
         T_g_t_.translation() = Eigen::Vector3f(0.3f, -0.2f, 1.4f);
@@ -186,7 +187,7 @@ class ProjectionFixture : public testing::Test {
 
     static bool is_lit(const Picture& picture, int x, int y) { return color_at(picture, x, y).g > 127; }
 
-    std::unique_ptr<Display> projector_ = make_headless_display(projector_size);
+    std::unique_ptr<Display> projector_;
     ProjectedDisplay display_{*projector_};
     Canvas canvas_;
     CanvasRenderer renderer_;
