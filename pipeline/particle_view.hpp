@@ -21,7 +21,8 @@ struct ParticleView {
     Intrinsics intrinsics{};
     float radius_m = 0.0f;
     std::vector<ParticleSphere> spheres;  ///< the farthest first
-    std::vector<std::uint16_t> depth_mm;  ///< nearest real surface per pixel, row-major, 0 unknown
+    std::vector<std::uint16_t>
+        depth_mm;  ///< nearest real surface per pixel, row-major, 0 unknown; empty: all unknown
 };
 
 }  // namespace touchstone

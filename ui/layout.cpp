@@ -12,13 +12,25 @@ constexpr float least_scale = 0.5f;
 constexpr float scale_steps =
     16.f;  // per 1: letters are drawn anew for each scale, dragging a window makes many
 
+constexpr float sharp_corner_px = 0.5f;         // less would fade the whole edge
+constexpr float projected_panel_share = 0.42f;  // of the width: the middle is the menu's
+
+Eigen::Vector2f size_of(PixelSize display) {
+    return {static_cast<float>(display.width_px), static_cast<float>(display.height_px)};
+}
+
+float scale_of(const Eigen::Vector2f& size_px) {
+    const float exact_scale = std::min(size_px.y() / 720.f, size_px.x() / 960.f);
+    return std::max(least_scale, std::floor(exact_scale * scale_steps) / scale_steps);
+}
+
 }  // namespace
 
 Layout make_layout(PixelSize display, PixelSize view) {
-    const Eigen::Vector2f size(static_cast<float>(display.width_px), static_cast<float>(display.height_px));
+    const Eigen::Vector2f size = size_of(display);
     Layout layout;
-    const float exact_scale = std::min(size.y() / 720.f, size.x() / 960.f);
-    layout.scale = std::max(least_scale, std::floor(exact_scale * scale_steps) / scale_steps);
+    layout.scale = scale_of(size);
+    layout.corner_px = style::corner_px * layout.scale;
     const Eigen::Vector2f margin = Eigen::Vector2f::Constant(style::margin_px * layout.scale);
     const float full_width = (size.y() - 2.f * margin.y()) * static_cast<float>(view.width_px) /
                              static_cast<float>(view.height_px);
@@ -34,6 +46,18 @@ Layout make_layout(PixelSize display, PixelSize view) {
         layout.panel = {{edge, bar_top}, {size.x() - edge, size.y()}};
         layout.view = fit_view(view, {{edge, edge}, {size.x() - edge, bar_top}});
     }
+    return layout;
+}
+
+Layout make_projected_layout(PixelSize display, PixelSize view) {
+    const Eigen::Vector2f size = size_of(display);
+    Layout layout;
+    layout.scale = scale_of(size);
+    layout.corner_px = sharp_corner_px;
+    layout.view = fit_view(view, {{0.f, 0.f}, size});
+    const DisplayRect& rect = layout.view.rect;
+    const Eigen::Vector2f corner = rect.min_px + Eigen::Vector2f::Constant(style::margin_px * layout.scale);
+    layout.panel = {corner, {rect.min_px.x() + projected_panel_share * rect.size_px().x(), rect.max_px.y()}};
     return layout;
 }
 

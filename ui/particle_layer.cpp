@@ -41,7 +41,9 @@ ParticleLayer::ParticleLayer(PixelSize view)
 /// In all four bytes: a software GL reads those faster than two.
 void ParticleLayer::upload_depth(const ParticleView& particles) {
     constexpr std::uint32_t opaque = 0xff000000U;  // bytes r, g, b, a; the depth in r and g
-    texels_.resize(particles.depth_mm.size() * sizeof opaque);
+    texels_.resize(4 * static_cast<std::size_t>(real_.size_px().width_px) *
+                   static_cast<std::size_t>(real_.size_px().height_px));
+    if (particles.depth_mm.empty()) std::fill(texels_.begin(), texels_.end(), std::uint8_t{0});
     for (std::size_t i = 0; i < particles.depth_mm.size(); ++i) {
         const std::uint32_t texel = opaque | particles.depth_mm[i];
         std::memcpy(&texels_[i * sizeof texel], &texel, sizeof texel);
@@ -74,7 +76,7 @@ void ParticleLayer::darken(const ParticleView& particles, const ParticleSphere& 
             const float soft = 1.0f - (dx * dx + dy * dy) / (radius * radius);
             const auto real = static_cast<std::size_t>(shadow_step_px * v * particles.intrinsics.width_px +
                                                        shadow_step_px * u);
-            const float real_mm = particles.depth_mm[real];
+            const float real_mm = particles.depth_mm.empty() ? 0.0f : particles.depth_mm[real];
             if (soft <= 0.0f || (real_mm > 0.0f && real_mm < lifted_mm)) continue;
             std::uint8_t& alpha = shadow_texels_[4 * static_cast<std::size_t>(v * size.width_px + u) + 3];
             const float left = (255.0f - static_cast<float>(alpha)) * (1.0f - darkest * sphere.shadow * soft);

@@ -9,9 +9,13 @@
 
 namespace touchstone {
 
-std::vector<std::string> scene_names();
+/// Scenes whose picture is the depth camera's view of the table are for screens: a projector has the table.
+enum class ScenePlace { screen, surface };
 
-/// Throws Error{usage}, listing the names, when there is no scene of that name.
-std::unique_ptr<Scene> make_scene(const std::string& name, const SceneSetup& setup = {});
+std::vector<std::string> scene_names(ScenePlace place = ScenePlace::screen);
+
+/// Throws Error{usage}, listing the names, when there is no scene of that name in that place.
+std::unique_ptr<Scene> make_scene(const std::string& name, const SceneSetup& setup = {},
+                                  ScenePlace place = ScenePlace::screen);
 
 }  // namespace touchstone

@@ -7,6 +7,7 @@ namespace {
 constexpr const char* product_name = "Touchstone";
 constexpr float indent_px = 36.f;  // of words behind the mark or the state's dot
 constexpr float baseline = 0.78f;  // of a line's height, from its top
+constexpr float note_room_px = 14.f;
 
 /// The product's mark: a touch on a surface, seen from above.
 void draw_mark(Canvas& canvas, const Eigen::Vector2f& center, float radius) {
@@ -156,6 +157,16 @@ void draw_status_panel(Canvas& canvas, const Layout& layout, const StatusWords& 
         draw_column(canvas, layout.panel, words);
     else
         draw_bar(canvas, layout.panel, words);
+}
+
+void draw_status_note(Canvas& canvas, const Layout& layout, const StatusWords& words) {
+    if (words.note.empty()) return;
+    const Eigen::Vector2f room = note_room_px * canvas.scale() * Eigen::Vector2f(1.f, 0.6f);
+    const Eigen::Vector2f at = layout.panel.min_px + room;
+    const float wrap_px = layout.panel.size_px().x() - 2.f * room.x();
+    const Eigen::Vector2f size = canvas.text_size_px(TextStyle::body, words.note, wrap_px);
+    canvas.box(at - room, at + size + room, style::corner_px * canvas.scale(), style::card);
+    canvas.text(TextStyle::body, at, style::warning, words.note, wrap_px);
 }
 
 }  // namespace touchstone

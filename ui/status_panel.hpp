@@ -36,4 +36,7 @@ StatusWords status_words(const TableFrame& frame, std::string_view invitation,
 /// Product name and status: a column beside the view or a bar under it, as the layout has it.
 void draw_status_panel(Canvas& canvas, const Layout& layout, const StatusWords& words);
 
+/// On a surface: nothing while all is well, else what is wrong, on a card in the panel's upper left corner.
+void draw_status_note(Canvas& canvas, const Layout& layout, const StatusWords& words);
+
 }  // namespace touchstone

@@ -23,6 +23,7 @@ struct Color {
 };
 
 inline constexpr Color backdrop{14, 17, 22};
+inline constexpr Color no_light{0, 0, 0};  ///< around what is projected
 inline constexpr Color card{20, 24, 31, 235};
 inline constexpr Color rule{255, 255, 255, 26};
 inline constexpr Color text{236, 240, 245};

@@ -11,7 +11,7 @@ constexpr std::array<std::string_view, 2> macros{"HAS_LAYER", "HAS_OVERLAY"};
 
 }  // namespace
 
-SurfaceCompositor::SurfaceCompositor()
+SurfaceCompositor::SurfaceCompositor(float darkest_paint)
     : programs_{make_program("surface"), make_program("surface", "surface", std::span(macros).first(1)),
                 make_program("surface", "surface", std::span(macros).last(1)),
                 make_program("surface", "surface", macros)} {
@@ -22,6 +22,7 @@ SurfaceCompositor::SurfaceCompositor()
         glUniform1i(program.uniform("u_overlay"), 2);
         glUniform3f(program.uniform("u_backdrop"), style::backdrop.r / 255.f, style::backdrop.g / 255.f,
                     style::backdrop.b / 255.f);
+        glUniform1f(program.uniform("u_darkest_paint"), darkest_paint);
     }
 }
 
@@ -43,7 +44,7 @@ void SurfaceCompositor::draw(const Layout& layout, PixelSize display, const GlTe
     glUniform4f(program.uniform("u_rect"), across(rect.min_px.x()), down(rect.min_px.y()),
                 across(rect.max_px.x()), down(rect.max_px.y()));
     glUniform2f(program.uniform("u_half_size_px"), 0.5f * rect.size_px().x(), 0.5f * rect.size_px().y());
-    glUniform1f(program.uniform("u_corner_px"), style::corner_px * layout.scale);
+    glUniform1f(program.uniform("u_corner_px"), layout.corner_px);
     glUniform1f(program.uniform("u_brightness"), brightness);
     view_->bind(0);
     if (layer) layer->bind(1);

@@ -15,7 +15,8 @@ namespace touchstone {
 /// one over both.
 class SurfaceCompositor {
   public:
-    SurfaceCompositor();
+    /// `darkest_paint`: how bright paint is on a black surface; 1 where a real surface shades it.
+    explicit SurfaceCompositor(float darkest_paint = 0.48f);
 
     /// Uploads the view unless it is the one of the last call. Null keeps the last one.
     void set_view(const std::shared_ptr<const ShadedView>& view);

@@ -13,7 +13,7 @@ using Eigen::Vector3f;
 
 constexpr float assumed_depth_m = 1.f;
 constexpr float assumed_view_width_m = 1.088f;
-constexpr float nearest_m = 0.2f, farthest_m = 10.f;
+constexpr float nearest_m = 0.2f, farthest_m = 10.f;                // or twice as far as the area
 constexpr float edge_mm = 8.f;                                      // between a row and the edge of the area
 constexpr float least_row_width = 0.35f, least_rows_height = 0.4f;  // of the view's
 
@@ -33,6 +33,8 @@ SurfaceGeometry::SurfaceGeometry(const TableFrame& frame, PixelSize view)
     intrinsics_ = is_camera_known_ ? frame.intrinsics : assumed_intrinsics(view);
     if (!frame.has_area) return;
     area_ = frame.area;
+    const Vector3f middle = area_->origin_c_m + 0.5f * (area_->axis_u_c_m + area_->axis_v_c_m);
+    farthest_m_ = std::max(farthest_m, 2.f * middle.z());
     corners_px_ = frame.area_px;
     std::array<float, 4> y_px{};
     for (std::size_t i = 0; i < 4; ++i) y_px[i] = corners_px_[i].y();
@@ -53,7 +55,7 @@ float SurfaceGeometry::depth_m(const Vector2f& place_px) const {
     const Vector3f ray = back_project(intrinsics_, place_px.x(), place_px.y(), 1.f);
     const Vector3f normal = area_->axis_u_c_m.cross(area_->axis_v_c_m);
     const float depth = normal.dot(area_->origin_c_m) / normal.dot(ray);
-    return depth > nearest_m && depth < farthest_m ? depth : assumed_depth_m;
+    return depth > nearest_m && depth < farthest_m_ ? depth : assumed_depth_m;
 }
 
 float SurfaceGeometry::mm_per_px(const Vector2f& place_px) const {

@@ -45,6 +45,7 @@ class SurfaceGeometry {
     RigidTransform T_g_c_;
     std::optional<InteractiveArea> area_;
     std::array<Eigen::Vector2f, 4> corners_px_{};
+    float farthest_m_ = 0.f;                // a plane seen farther away is seen too flat
     float top_px_ = 0.f, bottom_px_ = 0.f;  // between them all rows may lie
     bool rows_in_area_ = false;
 };

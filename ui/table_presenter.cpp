@@ -9,7 +9,6 @@
 #include "ui/finger_marks.hpp"
 #include "ui/idle_watch.hpp"
 #include "ui/layout.hpp"
-#include "ui/scene_list.hpp"
 #include "ui/scenes/attract.hpp"
 #include "ui/scenes/scan_progress.hpp"
 #include "ui/status_panel.hpp"
@@ -37,6 +36,8 @@ void draw_empty_view(Canvas& canvas, const DisplayRect& rect) {
 }  // namespace
 
 struct TablePresenter::Parts {
+    explicit Parts(bool projected) : compositor(projected ? SurfaceCompositor(1.f) : SurfaceCompositor()) {}
+
     std::string scene_name;
     std::unique_ptr<Scene> scene;
     std::optional<TouchMenu> menu;
@@ -57,11 +58,11 @@ struct TablePresenter::Parts {
 
 TablePresenter::TablePresenter(Display& display, const std::string& scene_name, const PresenterConfig& config)
     : display_(display), config_(config) {
-    auto scene = make_scene(scene_name, config.scenes);
-    parts_ = std::make_unique<Parts>();
+    auto scene = make_scene(scene_name, config.scenes, place());
+    parts_ = std::make_unique<Parts>(config.projected);
     parts_->scene = std::move(scene);
     parts_->scene_name = scene_name;
-    if (config.menu) parts_->menu.emplace(scene_names());
+    if (config.menu) parts_->menu.emplace(scene_names(place()));
     parts_->idle = IdleWatch(config.attract_after_s);
 }
 
@@ -150,7 +151,7 @@ void TablePresenter::change_scene(const std::string& name, const TableFrame& fra
     if (name == p.scene_name) return;
     if (const auto view = p.scene->wish().view) p.versions_before += view->version + 1;
     p.scene.reset();
-    p.scene = make_scene(name, config_.scenes);
+    p.scene = make_scene(name, config_.scenes, place());
     p.scene_name = name;
     if (p.view_size.width_px > 0) p.scene->start(p.view_size);
     TableFrame first = frame;
@@ -184,9 +185,11 @@ void TablePresenter::draw_all(const TableFrame& frame) {
     const PixelSize display = display_.size_px();
     const bool waiting = is_waiting_state(frame);
     const bool has_view = p.compositor.has_view();
-    p.layout = make_layout(display, has_view ? p.view_size : size_before_first_view);
+    const PixelSize view = has_view ? p.view_size : size_before_first_view;
+    p.layout = config_.projected ? make_projected_layout(display, view) : make_layout(display, view);
 
-    glClearColor(style::backdrop.r / 255.f, style::backdrop.g / 255.f, style::backdrop.b / 255.f, 1.f);
+    const style::Color backdrop = config_.projected ? style::no_light : style::backdrop;
+    glClearColor(backdrop.r / 255.f, backdrop.g / 255.f, backdrop.b / 255.f, 1.f);
     glClear(GL_COLOR_BUFFER_BIT);
     const float awake = waiting ? brightness_while_waiting : 1.f;
     if (has_view)
@@ -195,7 +198,7 @@ void TablePresenter::draw_all(const TableFrame& frame) {
     Canvas& canvas = p.canvas;
     canvas.begin({static_cast<float>(display.width_px), static_cast<float>(display.height_px)},
                  p.layout.scale);
-    if (!has_view) draw_empty_view(canvas, p.layout.view.rect);
+    if (!has_view && !config_.projected) draw_empty_view(canvas, p.layout.view.rect);
     draw_scene(frame);
     if (p.idle_share > 0.f) {
         fade(canvas, 1.f - p.idle_share);
@@ -207,7 +210,12 @@ void TablePresenter::draw_all(const TableFrame& frame) {
 void TablePresenter::draw_scene(const TableFrame& frame) {
     Parts& p = *parts_;
     const ViewMapping& view = p.layout.view;
-    if (frame.has_area && !p.scene->hides_table()) draw_area(p.canvas, view, frame.area_px);
+    const StatusWords words = status_words(frame, frame.cross ? "Touch the crosses" : p.scene->invitation(),
+                                           p.fingers.touching_ids());
+    // Under the controls: an open menu is as wide as the view.
+    if (config_.projected) draw_status_note(p.canvas, p.layout, words);
+    if (frame.has_area && !config_.projected && !p.scene->hides_table())
+        draw_area(p.canvas, view, frame.area_px);
     if (is_waiting_state(frame)) {
         draw_scan_progress(p.canvas, view.rect, frame, clock_s_);
     } else {
@@ -216,9 +224,7 @@ void TablePresenter::draw_scene(const TableFrame& frame) {
         p.fingers.draw(p.canvas, view);
         if (frame.cross) draw_cross_guide(p.canvas, view, *frame.cross);
     }
-    draw_status_panel(p.canvas, p.layout,
-                      status_words(frame, frame.cross ? "Touch the crosses" : p.scene->invitation(),
-                                   p.fingers.touching_ids()));
+    if (!config_.projected) draw_status_panel(p.canvas, p.layout, words);
 }
 
 }  // namespace touchstone

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "platform/display/display.hpp"
-#include "ui/scene_setup.hpp"
+#include "ui/scene_list.hpp"
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
@@ -13,6 +13,7 @@ namespace touchstone {
 struct PresenterConfig {
     bool menu = true;              ///< scenes are changed by touch
     float attract_after_s = 60.f;  ///< without touch or hover; 0: never
+    bool projected = false;        ///< the display is the surface itself: see ProjectedDisplay
     SceneSetup scenes;
 };
 
@@ -21,7 +22,8 @@ struct PresenterConfig {
 /// before the display.
 class TablePresenter {
   public:
-    /// Throws Error{usage} for an unknown scene, Error{unavailable} when fonts or shaders fail.
+    /// Throws Error{usage} for an unknown scene, or one for screens only where the display is projected,
+    /// Error{unavailable} when fonts or shaders fail.
     TablePresenter(Display& display, const std::string& scene_name, const PresenterConfig& config = {});
     ~TablePresenter();
 
@@ -45,6 +47,7 @@ class TablePresenter {
     void update(float dt_s);
     void draw_all(const TableFrame& frame);
     void draw_scene(const TableFrame& frame);
+    ScenePlace place() const { return config_.projected ? ScenePlace::surface : ScenePlace::screen; }
 
     Display& display_;
     PresenterConfig config_;

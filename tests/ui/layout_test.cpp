@@ -33,6 +33,14 @@ TEST(Layout, PanelStandsBesideOnWideDisplaysOnly) {
     EXPECT_FALSE(make_layout({1280, 720}, {1280, 720}).panel_beside);
 }
 
+TEST(Layout, AProjectedViewTakesAllOfTheDisplay) {
+    const Layout layout = make_projected_layout({600, 400}, {600, 400});
+    EXPECT_EQ(layout.view.rect.min_px, Eigen::Vector2f(0.f, 0.f));
+    EXPECT_EQ(layout.view.rect.max_px, Eigen::Vector2f(600.f, 400.f));
+    EXPECT_FLOAT_EQ(layout.view.display_px_per_px, 1.f);
+    EXPECT_LT(layout.panel.max_px.x(), 300.f);
+}
+
 TEST(Layout, TypeGrowsWithTheDisplay) {
     EXPECT_FLOAT_EQ(make_layout({1280, 720}, depth_picture).scale, 1.f);
     EXPECT_FLOAT_EQ(make_layout({1920, 1080}, depth_picture).scale, 1.5f);

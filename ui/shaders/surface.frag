@@ -11,6 +11,7 @@ uniform sampler2D u_overlay;  // premultiplied; lies over both
 uniform vec2 u_half_size_px;
 uniform float u_corner_px;
 uniform float u_brightness;
+uniform float u_darkest_paint;
 uniform vec3 u_backdrop;
 
 in vec2 v_uv;
@@ -20,7 +21,7 @@ out vec4 color;
 
 // Paint is as bright as the surface under it, so that shape shows through, but never dull: white keeps its colour.
 float shade_of_paint(vec3 surface) {
-    return min(1.0, 0.48 + 0.70 * dot(surface, vec3(0.299, 0.587, 0.114)));
+    return min(1.0, u_darkest_paint + 0.70 * dot(surface, vec3(0.299, 0.587, 0.114)));
 }
 
 void main() {
