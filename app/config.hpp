@@ -30,7 +30,7 @@ struct DisplayConfig {
 };
 
 /// The picture is drawn through its model where there is one.
-struct ProjectorConfig {
+struct ProjectorMappingConfig {
     std::string file;                ///< of `touchstone calibrate`; empty: none
     bool moves_with_camera = false;  ///< both hang on one mount: a knock moves both
     bool spares_hands = true;        ///< nothing is drawn on what moves over the table
@@ -61,7 +61,7 @@ struct Config {
     bool touch_screen_enabled = false;
     TouchScreenConfig touch_screen;
     DisplayConfig display;
-    ProjectorConfig projector;
+    ProjectorMappingConfig projector;
     ParticleTableConfig particles;
     HealthConfig health;
     FaultReportsConfig fault_reports;

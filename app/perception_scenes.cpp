@@ -7,7 +7,7 @@
 namespace touchstone {
 
 void Perception::load_projector_mapping() {
-    const ProjectorConfig& config = options_.config.projector;
+    const ProjectorMappingConfig& config = options_.config.projector;
     if (config.file.empty()) return;
     try {
         const SavedProjector saved = load_projector(config.file);

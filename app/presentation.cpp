@@ -36,6 +36,8 @@ Presentation::Presentation(const RunOptions& options, DisplayMaker make_display)
       make_display_(std::move(make_display)),
       config_(presenter_config(options.config.display)),
       scene_(options.config.display.scene),
+      throws_on_table_(throws_on_table(options)),
+      spares_hands_(options.config.projector.spares_hands),
       last_drawn_(std::chrono::steady_clock::now()) {
     if (options.shots_dir) shots_.emplace(*options.shots_dir);
     open();
@@ -43,7 +45,11 @@ Presentation::Presentation(const RunOptions& options, DisplayMaker make_display)
 
 void Presentation::open() {
     display_ = make_display_();
-    presenter_ = std::make_unique<TablePresenter>(*display_, scene_, config_);
+    if (throws_on_table_)
+        projected_ = std::make_unique<ProjectedDisplay>(*display_, ProjectedDisplayConfig{spares_hands_});
+    projector_ = nullptr;
+    Display& shown = projected_ ? static_cast<Display&>(*projected_) : *display_;
+    presenter_ = std::make_unique<TablePresenter>(shown, scene_, config_);
 }
 
 void Presentation::try_to_open() {
@@ -56,6 +62,7 @@ void Presentation::try_to_open() {
     } catch (const Error& error) {
         log_debug("{}", error.what());
         presenter_.reset();
+        projected_.reset();
         display_.reset();
     }
 }
@@ -64,6 +71,7 @@ void Presentation::lose_display() {
     log_warning("the display is lost: trying to get it back");
     scene_ = presenter_->scene_name();
     presenter_.reset();
+    projected_.reset();
     display_.reset();
 }
 
@@ -74,7 +82,7 @@ void Presentation::draw(const TableFrame& frame) {
     const std::chrono::duration<float> elapsed = now - last_drawn_;
     last_drawn_ = now;
     try {
-        presenter_->draw(frame, elapsed.count());
+        presenter_->draw(fit_to_table(frame), elapsed.count());
     } catch (const Error&) {
         if (!display_->is_lost()) throw;
         lose_display();
@@ -82,9 +90,22 @@ void Presentation::draw(const TableFrame& frame) {
     if (frame.view) drawn_index_ = frame.index;
 }
 
+const TableFrame& Presentation::fit_to_table(const TableFrame& frame) {
+    if (!projected_ || !frame.projector || !frame.has_area) return frame;
+    const bool is_new_view = !is_view_of(from_above_, frame);
+    if (is_new_view) from_above_ = make_view_from_above(frame.area, frame.T_g_c);
+    if (is_new_view || frame.projector != projector_ || frame.surface != surface_)
+        projected_->set_mapping(*frame.projector, from_above_, frame.surface.get());
+    projector_ = frame.projector;
+    surface_ = frame.surface;
+    projected_->see_hands(frame);
+    fitted_ = seen_from_above(frame, from_above_);
+    return fitted_;
+}
+
 void Presentation::show() {
     if (!presenter_) return;
-    display_->present();
+    (projected_ ? *projected_ : *display_).present();
     if (display_->is_lost()) {
         lose_display();
         return;

@@ -8,6 +8,7 @@
 #include "app/command_line.hpp"
 #include "app/frame_outputs.hpp"
 #include "platform/display/display.hpp"
+#include "ui/projected_display.hpp"
 #include "ui/table_presenter.hpp"
 
 namespace touchstone {
@@ -38,12 +39,20 @@ class Presentation {
     /// At most every second.
     void try_to_open();
     void lose_display();
+    /// On the table itself: the frame as its display shows it, thrown as the frame says.
+    const TableFrame& fit_to_table(const TableFrame& frame);
 
     DisplayKind kind_;
     DisplayMaker make_display_;
     PresenterConfig config_;
     std::string scene_;
+    bool throws_on_table_, spares_hands_;
     std::unique_ptr<Display> display_;
+    std::unique_ptr<ProjectedDisplay> projected_;  ///< over display_, where it throws on the table
+    ViewFromAbove from_above_;
+    TableFrame fitted_;
+    std::shared_ptr<const ProjectorModel> projector_;  ///< of the last frame, with its surface
+    std::shared_ptr<const SurfaceGrid> surface_;
     std::unique_ptr<TablePresenter> presenter_;
     std::optional<PictureFolder> shots_;
     std::chrono::steady_clock::time_point last_drawn_, next_try_{};
