@@ -17,7 +17,6 @@ class LitPoints {
 
     void set_surface(const ProjectionMesh& mesh);
     void set_model(const ProjectorModel& model);
-    bool has_surface() const { return corners_ > 0; }
     /// Draws the picture for a display of that size, which may be another than the model's, where something
     /// has changed: then true, and another picture is bound. Throws Error{unavailable} where the driver
     /// cannot.

@@ -48,6 +48,7 @@ void SurfaceProjection::set_mapping(const ProjectorModel& model, const ViewFromA
     }
     points_.set_model(model);
     view_size_ = view.size_px();
+    has_mapping_ = true;
     to_view_ = pixels_of(view.intrinsics, view.T_g_v);
 }
 

@@ -20,7 +20,7 @@ class SurfaceProjection {
     /// A pinhole lights the surface, or without one the view's area; a homography knows the area only. A
     /// surface is taken to the GPU again only when it has another version.
     void set_mapping(const ProjectorModel& model, const ViewFromAbove& view, const SurfaceGrid* surface);
-    bool has_mapping() const { return points_.has_surface(); }
+    bool has_mapping() const { return has_mapping_; }
     /// What the depth camera sees in front of the surface gets no light: the moving foreground of its view.
     void set_hands(const ShadedView& seen, const Intrinsics& intrinsics, const RigidTransform& T_g_c);
     void forget_hands() { has_hands_ = false; }
@@ -39,7 +39,7 @@ class SurfaceProjection {
     std::optional<int> surface_version_;  // of the surface that is on the GPU
     Projection to_view_, to_camera_;
     PixelSize view_size_;
-    bool has_hands_ = false;
+    bool has_mapping_ = false, has_hands_ = false;
     std::optional<GlTexture> background_;
     std::vector<std::uint8_t> texels_;
 };

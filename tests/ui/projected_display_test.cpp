@@ -210,6 +210,19 @@ TEST_F(ProjectedDisplayTest, BeforeThereIsAMappingThePictureIsShownAsItIs) {
     EXPECT_EQ(display_.size_px(), (PixelSize{600, 400}));
 }
 
+TEST_F(ProjectedDisplayTest, ASurfaceOfWhichNothingIsKnownStaysDark) {
+    auto grid = grid_of(flat);
+    for (Eigen::Vector4f& point : grid->points_g_m) point.setZero();
+    display_.set_mapping(model_, view(), grid.get());
+    const Picture thrown = project_drawing(disc({300.f, 200.f}, 80.f).draw);
+    EXPECT_EQ(std::count(thrown.rgba.begin(), thrown.rgba.end(), 0), 3 * 1280 * 800);
+    grid = grid_of(flat);
+    grid->version = 2;
+    display_.set_mapping(model_, view(), grid.get());
+    const Picture found = project_drawing(disc({300.f, 200.f}, 80.f).draw);
+    EXPECT_GT(count_differences(thrown, found, 60), 1000) << "another version is another surface";
+}
+
 /// One pixel of the projector covers several of the view: their mean, not one of them.
 TEST_F(ProjectedDisplayTest, SmallPatternsTurnGrey) {
     model_.focal_px *= 0.3f;
