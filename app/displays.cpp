@@ -1,6 +1,7 @@
 #include "app/displays.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "platform/display/headless_display.hpp"
 #include "platform/display/projector_display.hpp"
@@ -48,7 +49,11 @@ std::unique_ptr<Display> open_display(const RunOptions& options) {
 }
 
 bool throws_on_table(const RunOptions& options) {
-    return has_simulated_projector(options.config.sensor_uri) || options.display == DisplayKind::projector;
+    const bool is_projector =
+        has_simulated_projector(options.config.sensor_uri) || options.display == DisplayKind::projector;
+    const std::string& calibration = options.config.projector.file;
+    std::error_code none;
+    return is_projector && !calibration.empty() && std::filesystem::exists(calibration, none);
 }
 
 }  // namespace touchstone

@@ -25,7 +25,8 @@ std::unique_ptr<SimulatedProjector> open_simulated_projector();
 /// For `run`: a simulated projector where the sensor has one, else as chosen.
 std::unique_ptr<Display> open_display(const RunOptions& options);
 
-/// Whether the picture falls on the table, and is to be fitted to it.
+/// Whether the picture falls on the table and can be fitted to it: it comes from a projector that is
+/// calibrated.
 bool throws_on_table(const RunOptions& options);
 
 }  // namespace touchstone

@@ -47,6 +47,7 @@ void Presentation::open() {
     display_ = make_display_();
     if (throws_on_table_)
         projected_ = std::make_unique<ProjectedDisplay>(*display_, ProjectedDisplayConfig{spares_hands_});
+    config_.projected = throws_on_table_;
     projector_ = nullptr;
     Display& shown = projected_ ? static_cast<Display&>(*projected_) : *display_;
     presenter_ = std::make_unique<TablePresenter>(shown, scene_, config_);
