@@ -88,6 +88,8 @@ class Calibration {
         return options_.method == CalibrationMethod::graycode ? see_stripes() : ask_for_touches();
     }
 
+    int frames() const { return frames_; }
+    double rate_hz() const { return camera_->rate_hz(); }
     /// For a file: points of the camera's frame.
     ProjectorModel seen_from_camera(const ProjectorModel& model) const {
         return in_other_frame(model, pipeline_->background()->T_g_c().inverse(Eigen::Isometry));
@@ -111,6 +113,7 @@ class Calibration {
             throw Error(ExitStatus::unavailable, "the window was closed before the calibration was done");
         if (!frame_)
             throw Error(ExitStatus::no_input, camera_->name() + " ends before the calibration was done");
+        ++frames_;
         if (!pipeline_)
             pipeline_.emplace(device_, interaction_config(options_.config, camera_->model()),
                               frame_->intrinsics);
@@ -193,6 +196,7 @@ class Calibration {
     std::optional<DepthCamera> camera_;
     std::optional<InteractionPipeline> pipeline_;
     std::optional<DepthFrame> frame_;
+    int frames_ = 0;  ///< that were looked at
     ProgressLine progress_;
 };
 
@@ -225,6 +229,8 @@ ExitStatus calibrate_command(const CalibrateOptions& options) {
     TerminationSignals signals;
     Calibration calibration(options, signals);
     const CalibrationResult result = calibration.run();
+    log_info("calibrated in {} frames, {:.1f} s of the camera", calibration.frames(),
+             calibration.frames() / calibration.rate_hz());
     if (options.json_file) write_json(*options.json_file, calibration_json(result));
     const bool is_good = result.fit.verdict == ProjectorVerdict::good;
     if (!is_good) throw Error(ExitStatus::bad_data, "not calibrated: " + result.verdict);

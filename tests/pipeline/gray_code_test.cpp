@@ -135,6 +135,23 @@ TEST(GrayCode, CellsThatAreCutOffAreLeftOut) {
     }
 }
 
+/// A fifth of the pixels without depth, anywhere.
+TEST(GrayCode, HolesInTheDepthPictureDoNoHarm) {
+    const CellPicture cells = decode_cells(code, seen_pictures(), width_px, height_px);
+    auto points = points_on_plane();
+    std::mt19937 random(5);
+    for (auto& point : points)
+        if (std::uniform_real_distribution<float>()(random) < 0.2f) point.setZero();
+    const auto matches = match_cells(code, cells, points);
+    EXPECT_GT(matches.size(), 1500U);
+    double sum = 0.0;
+    for (const ProjectorMatch& match : matches) {
+        const Eigen::Vector2f at = lit_px(match.point_g_m.x() / 0.002f, match.point_g_m.y() / 0.002f);
+        sum += (at - match.pixel_px).squaredNorm();
+    }
+    EXPECT_LT(std::sqrt(sum / static_cast<double>(matches.size())), 0.7);
+}
+
 TEST(GrayCode, ADarkProjectorLightsNothing) {
     auto seen = seen_pictures();
     for (auto& picture : seen) picture = seen[1];

@@ -1,0 +1,13 @@
+touchstone_library(touchstone_projector_accuracy projector_run.cpp)
+target_link_libraries(touchstone_projector_accuracy
+    PRIVATE touchstone_app touchstone_simulator nlohmann_json::nlohmann_json fmt::fmt)
+
+add_executable(score_projector score_projector.cpp)
+target_link_libraries(score_projector PRIVATE touchstone_projector_accuracy touchstone_system CLI11::CLI11)
+touchstone_use_openni2(score_projector)
+touchstone_warnings(score_projector)
+
+touchstone_test(scored_projector_test SOURCES scored_projector_test.cpp LIBRARIES touchstone_projector_accuracy LABELS accuracy)
+target_compile_definitions(scored_projector_test PRIVATE TOUCHSTONE_PROGRAM="$<TARGET_FILE:touchstone>")
+touchstone_use_openni2(scored_projector_test)
+add_dependencies(scored_projector_test touchstone)
