@@ -73,13 +73,15 @@ class WebSocketChannel::Server {
         info.port = config.port;
         info.protocols = protocols_.data();
         if (config.host.find(':') == std::string::npos) info.options = LWS_SERVER_OPTION_DISABLE_IPV6;
-        info.options |= LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND | LWS_SERVER_OPTION_NO_LWS_SYSTEM_STATES;
+        info.options |= LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND | LWS_SERVER_OPTION_EXPLICIT_VHOSTS |
+                        LWS_SERVER_OPTION_NO_LWS_SYSTEM_STATES;
         info.user = this;
         info.vhost_name = "touchstone";
         info.fd_limit_per_thread = most_connections;
         info.retry_and_idle_policy = &idle_policy_;
         context_.reset(lws_create_context(&info));
-        if (!context_) {
+        host_ = context_ ? lws_create_vhost(context_.get(), &info) : nullptr;
+        if (host_ == nullptr) {
             throw Error(ExitStatus::unavailable,
                         fmt::format("websocket: {}:{} cannot be served: another program has the port, or the "
                                     "address is none of this machine; choose others: [websocket] host, port",
@@ -106,9 +108,7 @@ class WebSocketChannel::Server {
         }
         lws_cancel_service(context_.get());
     }
-    int port() const {
-        return lws_get_vhost_listen_port(lws_get_vhost_by_name(context_.get(), "touchstone"));
-    }
+    int port() const { return lws_get_vhost_listen_port(host_); }
 
   private:
     static int called(lws* connection, lws_callback_reasons reason, void* user, void* in, std::size_t size) {
@@ -200,6 +200,7 @@ class WebSocketChannel::Server {
     bool is_idle_ = true;  ///< no client has anything waiting
     bool is_over_ = false;
     std::unique_ptr<lws_context, ContextDeleter> context_;
+    lws_vhost* host_ = nullptr;  ///< of the context
     std::thread thread_;
 };
 
