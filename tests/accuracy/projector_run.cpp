@@ -101,11 +101,11 @@ std::optional<Eigen::Vector3f> true_contact_c_m(const json& tips, const Eigen::V
 std::vector<double> touch_errors_mm(const ProjectorRun& run, const TrueTable& table,
                                     const ProjectorModel& model, const std::filesystem::path& truth_file,
                                     const std::filesystem::path& config_file) {
-    const std::string sensor = fmt::format("sim:{}?projector=1&seed={}&hands=2&frames={}&truth={}", run.scene,
-                                           run.seed, run.touch_frames, truth_file.string());
+    const std::string sensor = fmt::format("sim:{}?seed={}&hands=2&frames={}&truth={}", run.scene, run.seed,
+                                           run.touch_frames, truth_file.string());
     const test::ProgramResult result =
         test::run_program({run.program, "run", "--config", config_file.string(), "--sensor", sensor, "--pace",
-                           "step", "--display", "headless", "--events", "-"});
+                           "step", "--display", "headless", "--scene", "attract", "--events", "-"});
     check(result);
     std::ifstream file(truth_file);
     const json truth = json::parse(file);
@@ -135,7 +135,7 @@ int frames_said(const std::string& log) {
 }  // namespace
 
 ProjectorScore run_projector(const ProjectorRun& run) {
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::filesystem::path config_file = folder / "table.toml", calibration = folder / "projector";
     std::ofstream(config_file) << "[projector]\nfile = \"" << calibration.string()
                                << "\"\n[tuio]\nenabled = false\n";

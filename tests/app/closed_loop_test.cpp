@@ -1,13 +1,13 @@
 // The projector, the table and a finger, all simulated: what is drawn on a curved surface is hit there.
-#include <algorithm>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <optional>
+#include <vector>
 
 #include "app/calibrate_command.hpp"
 #include "app/displays.hpp"
 #include "app/perception.hpp"
 #include "app/presentation.hpp"
+#include "platform/display/headless_display.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace touchstone {
@@ -15,21 +15,32 @@ namespace {
 
 constexpr const char* table = "sim:curved?projector=1&seed=11";
 
-/// Middle of what is lit in the picture's part above `until_y_px`.
-std::optional<Eigen::Vector2f> lit_middle(const Picture& picture, int until_y_px, int* lit = nullptr) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    int count = 0;
-    for (int y = 0; y < until_y_px; ++y) {
+constexpr PixelSize small{640, 400};  // a picture of another size is stretched: a quarter of the work
+
+using IsColor = bool (*)(const std::uint8_t* rgba);
+bool is_red(const std::uint8_t* rgba) { return rgba[0] > 220 && rgba[1] < 120 && rgba[2] < 120; }
+/// Of the line under a chosen button.
+bool is_accent(const std::uint8_t* rgba) { return rgba[0] < 130 && rgba[1] > 150 && rgba[2] > 220; }
+
+/// Places of a colour within `reach_px` of a place.
+std::vector<Eigen::Vector2f> places_of(const Picture& picture, IsColor is_color,
+                                       const Eigen::Vector2f& near_px, float reach_px) {
+    std::vector<Eigen::Vector2f> places;
+    for (int y = 0; y < picture.height_px; ++y) {
         for (int x = 0; x < picture.width_px; ++x) {
-            const std::uint8_t* rgba = &picture.rgba[4 * static_cast<std::size_t>(y * picture.width_px + x)];
-            if (std::max({rgba[0], rgba[1], rgba[2]}) < 16) continue;
-            sum += Eigen::Vector2d(x, y);
-            ++count;
+            const Eigen::Vector2f place(static_cast<float>(x), static_cast<float>(y));
+            if ((place - near_px).norm() < reach_px &&
+                is_color(&picture.rgba[4 * static_cast<std::size_t>(y * picture.width_px + x)]))
+                places.push_back(place);
         }
     }
-    if (lit) *lit = count;
-    if (count == 0) return std::nullopt;
-    return Eigen::Vector2f((sum / count).cast<float>());
+    return places;
+}
+
+Eigen::Vector2f middle_of(const std::vector<Eigen::Vector2f>& places) {
+    Eigen::Vector2f sum = Eigen::Vector2f::Zero();
+    for (const Eigen::Vector2f& place : places) sum += place;
+    return sum / static_cast<float>(places.size());
 }
 
 RunOptions options_for(const std::string& sensor, const std::string& calibration) {
@@ -42,44 +53,48 @@ RunOptions options_for(const std::string& sensor, const std::string& calibration
     return options;
 }
 
-/// A guided finger is told the pixel of the menu's button, as the projector throws it: the menu opens.
-TEST(ClosedLoop, AButtonDrawnOnACurvedSurfaceIsHit) {
-    const test::TemporaryFolder folder;
-    const std::string calibration = (folder / "projector").string();
-    CalibrateOptions calibrate;
-    calibrate.config = options_for(std::string(table) + "&hands=0", calibration).config;
-    calibrate.pace = Pace::step;
-    ASSERT_EQ(calibrate_command(calibrate), ExitStatus::ok);
+void calibrate(const std::string& calibration) {
+    CalibrateOptions options;
+    options.config = options_for(std::string(table) + "&hands=0", calibration).config;
+    options.pace = Pace::step;
+    ASSERT_EQ(calibrate_command(options), ExitStatus::ok);
+}
 
+/// A finger is told the pixel of the palette's red, as the projector throws it, and red is chosen.
+TEST(ClosedLoop, AButtonDrawnOnACurvedSurfaceIsHit) {
+    const TemporaryFolder folder;
+    const std::string calibration = (folder / "projector").string();
+    ASSERT_NO_FATAL_FAILURE(calibrate(calibration));
     const RunOptions options = options_for(std::string(table) + "&hands=1&guided=1", calibration);
     Perception perception(options);
     SimulatedProjector* projector = nullptr;
     Presentation presentation(options, [&]() -> std::unique_ptr<Display> {
-        auto made = open_simulated_projector();
+        auto made =
+            std::make_unique<SimulatedProjector>(make_headless_display(small), projected_picture_name());
         projector = made.get();
         return made;
     });
-    Picture before;
-    std::optional<Eigen::Vector2f> button_px;
-    int lit_before = 0, most_lit = 0;
-    for (int frame = 0; frame < 400; ++frame) {
+    constexpr int live = 50, asked = 60, goes = 170, gone = 215;
+    const Eigen::Vector2f middle_px(320.0f, 200.0f);
+    Eigen::Vector2f red_px = middle_px;
+    for (int frame = 0; frame < gone; ++frame) {
         const std::optional<TableFrame> shown = perception.step();
         ASSERT_TRUE(shown);
+        if (frame < live) continue;
+        ASSERT_EQ(shown->state, "live");
         presentation.draw(*shown);
         presentation.show();
-        if (frame == 60) {
-            ASSERT_EQ(shown->state, "live");
-            // Nothing but the menu's button is drawn in the upper half.
-            button_px = lit_middle(projector->read_pixels(), 400, &lit_before);
-            ASSERT_TRUE(button_px);
-            projector->set_aim(std::array{button_px->x(), button_px->y()});
+        if (frame == asked) {
+            const auto red = places_of(projector->read_pixels(), is_red, middle_px, 1000.0f);
+            ASSERT_GT(red.size(), 20U) << "the palette's red";
+            red_px = middle_of(red);
+            EXPECT_TRUE(places_of(projector->read_pixels(), is_accent, red_px, 18.0f).empty());
+            projector->set_aim(std::array{red_px.x(), red_px.y()});
         }
-        if (frame <= 60) continue;
-        int lit = 0;
-        lit_middle(projector->read_pixels(), 400, &lit);
-        most_lit = std::max(most_lit, lit);
+        if (frame == goes) projector->set_aim(std::nullopt);
     }
-    EXPECT_GT(most_lit, 3 * lit_before) << "the opened menu is larger than its button and the finger's ring";
+    EXPECT_GT(places_of(projector->read_pixels(), is_accent, red_px, 18.0f).size(), 5U)
+        << "red is underlined";
 }
 
 }  // namespace

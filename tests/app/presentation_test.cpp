@@ -75,7 +75,7 @@ TEST(TwoLoops, AScreenThatHangsHoldsUpNoTouches) {
     const TemporaryFolder folder;
     RunOptions options;
     options.config.sensor_uri = "sim:flat?hands=1&seed=3&rate=30";
-    options.config.tuio_enabled = false;
+    options.config.tuio.enabled = false;
     options.config.interaction.background.volume.size_vox = 64;
     options.events_file = (folder / "events.jsonl").string();
     options.frames = 60;

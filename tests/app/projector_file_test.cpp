@@ -10,8 +10,6 @@
 namespace touchstone {
 namespace {
 
-using test::TemporaryFolder;
-
 SavedProjector pinhole() {
     SavedProjector saved;
     saved.model.width_px = 1280;

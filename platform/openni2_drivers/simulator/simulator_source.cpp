@@ -117,9 +117,15 @@ void SimulatorSource::State::set_up_projector() {
 void SimulatorSource::State::ask_hands() {
     const ProjectedPicture* shown = thrown.latest();
     std::optional<Vec3> place_s;
-    if (shown && shown->aim_px)
-        place_s = first_hit(touched, projector->position_s,
-                            projector->ray_s({(*shown->aim_px)[0], (*shown->aim_px)[1]}).normalized());
+    if (shown && shown->aim_px) {
+        // The picture is stretched to the projector's.
+        const Eigen::Vector2f stretch(
+            static_cast<float>(projector->width_px) / static_cast<float>(shown->width_px),
+            static_cast<float>(projector->height_px) / static_cast<float>(shown->height_px));
+        const Eigen::Vector2f half(0.5F, 0.5F), aim_px((*shown->aim_px)[0], (*shown->aim_px)[1]);
+        const Vec3 ray_s = projector->ray_s((aim_px + half).cwiseProduct(stretch) - half);
+        place_s = first_hit(touched, projector->position_s, ray_s.normalized());
+    }
     for (HandScript& script : scripts) script.ask(place_s);
 }
 
