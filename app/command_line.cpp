@@ -37,7 +37,7 @@ struct RecordArguments {
 
 struct BenchArguments {
     SourceArguments source;
-    std::string json;
+    std::string json, display;
     bool moving = false;
 };
 
@@ -150,6 +150,11 @@ CLI::App* add_bench(CLI::App& app, BenchArguments& arguments) {
     bench->add_flag("--moving", arguments.moving, "the loop of track instead of that of run");
     bench->add_option("--json", arguments.json, "file for the figures, - for standard output")
         ->check(not_empty);
+    bench
+        ->add_option("--display", arguments.display,
+                     "headless, window or projector: the time from a frame to its picture, too")
+        ->check(CLI::IsMember(display_words()))
+        ->excludes("--moving");
     return bench;
 }
 
@@ -244,6 +249,7 @@ BenchOptions to_bench_options(const BenchArguments& arguments) {
     options.voxels = options.config.interaction.background.volume.size_vox;
     if (arguments.source.side_m) options.side_m = *arguments.source.side_m;
     options.json_file = if_given(arguments.json);
+    options.display = to_display(arguments.display);
     return options;
 }
 

@@ -33,6 +33,9 @@ class Perception {
     /// The next result: one processed frame, or word that there is no camera. Nothing once the source or the
     /// wanted number of frames is at its end.
     std::optional<TableFrame> step();
+    /// What the last result leaves to be done once it is handed on: the background follows. Else step() does
+    /// it first.
+    void follow();
     /// What the scene needs from now on.
     void take(SceneWish wish) { wish_ = std::move(wish); }
     /// In step pace every frame must be shown before the next one.
@@ -96,7 +99,8 @@ class Perception {
     float rate_hz_ = 0.0f;
     int frames_done_ = 0;
     TableFrame last_shown_;
-    bool scan_is_new_ = false;  ///< made or moved since it was last written
+    std::optional<InteractionState> to_follow_;  ///< of a frame that was seen only
+    bool scan_is_new_ = false;                   ///< made or moved since it was last written
 };
 
 /// For the mailbox: the newer frame, with the touch events of the one that was never drawn put before its

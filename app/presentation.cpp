@@ -1,5 +1,6 @@
 #include "app/presentation.hpp"
 
+#include <GLES3/gl31.h>
 #include <cstdlib>
 #include <utility>
 
@@ -65,6 +66,22 @@ Presentation::Presentation(const RunOptions& options, DisplayMaker make_display)
     open();
 }
 
+Presentation::~Presentation() {
+    for (const StageSummary& stage : times_.summary())
+        log_debug("{}: median {:.2f} ms, 99 % {:.2f} ms", stage.stage, stage.median_ms, stage.p99_ms);
+}
+
+/// A picture of a frame that was shown before has waited for nothing.
+void Presentation::measure() {
+    if (drawn_arrived_ == last_measured_) return;
+    last_measured_ = drawn_arrived_;
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - drawn_arrived_;
+    times_.add(to_photon, taken.count());
+    times_.end_frame();
+}
+
+void Presentation::finish() { glFinish(); }
+
 void Presentation::open() {
     display_ = make_display_();
     presenter_ = std::make_unique<TablePresenter>(*display_, scene_, config_);
@@ -104,6 +121,7 @@ void Presentation::draw(const TableFrame& frame) {
         lose_display();
     }
     if (frame.view) drawn_index_ = frame.index;
+    drawn_arrived_ = frame.arrived;
 }
 
 void Presentation::show() {
@@ -113,6 +131,7 @@ void Presentation::show() {
         lose_display();
         return;
     }
+    measure();
     if (!shots_ || drawn_index_ == last_shot_) return;
     last_shot_ = drawn_index_;
     shots_->write_shot(drawn_index_, display_->read_pixels());

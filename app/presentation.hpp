@@ -8,6 +8,7 @@
 #include "app/command_line.hpp"
 #include "app/frame_outputs.hpp"
 #include "platform/display/display.hpp"
+#include "platform/system/stage_timer.hpp"
 #include "ui/table_presenter.hpp"
 
 namespace touchstone {
@@ -23,6 +24,8 @@ class Presentation {
     explicit Presentation(const RunOptions& options);
     /// On a display that somebody else makes.
     Presentation(const RunOptions& options, DisplayMaker make_display);
+    /// Says how long touches took to the screen, at log level debug.
+    ~Presentation();
 
     void draw(const TableFrame& frame);
     /// Shows what was drawn; may wait for the screen.
@@ -30,6 +33,10 @@ class Presentation {
     SceneWish wish() const { return presenter_ ? presenter_->wish() : SceneWish(); }
     /// The user closed the window.
     bool should_close() { return display_ && display_->should_close(); }
+    /// Waits until what was shown is drawn, for those who measure.
+    void finish();
+    /// From the arrival of a camera's frame to its picture handed to the screen, median of late.
+    double touch_to_photon_ms() const { return times_.summary(to_photon).median_ms; }
     /// A window goes on drawing between frames, so that it animates and takes events.
     bool animates() const { return kind_ != DisplayKind::headless; }
 
@@ -38,6 +45,9 @@ class Presentation {
     /// At most every second.
     void try_to_open();
     void lose_display();
+    void measure();
+
+    static constexpr std::string_view to_photon = "touch to photon";
 
     DisplayKind kind_;
     DisplayMaker make_display_;
@@ -48,6 +58,8 @@ class Presentation {
     std::optional<PictureFolder> shots_;
     std::chrono::steady_clock::time_point last_drawn_, next_try_{};
     int drawn_index_ = -1, last_shot_ = -1;  ///< drawn_index_ only of frames with a view
+    StageTimes times_;
+    std::chrono::steady_clock::time_point drawn_arrived_{}, last_measured_{};
 };
 
 }  // namespace touchstone

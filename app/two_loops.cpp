@@ -18,6 +18,7 @@ void run_two_loops(Perception& perception, Presentation& presentation, Terminati
                 std::optional<TableFrame> frame = perception.step();
                 if (!frame) break;
                 mailbox.put(std::move(*frame));
+                perception.follow();
             }
         } catch (...) {
             failure = std::current_exception();

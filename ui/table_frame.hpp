@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@ namespace touchstone {
 struct TableFrame {
     int index = 0;
     std::uint64_t timestamp_us = 0;
+    std::chrono::steady_clock::time_point arrived{};  ///< the camera's frame, from the driver
     std::string state;           ///< starting, scanning, live, sensor_lost: the words of the event log
     float scan_progress = 0.f;   ///< 0..1 while scanning
     int scan_frames_done = 0;    ///< while scanning
