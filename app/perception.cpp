@@ -72,6 +72,8 @@ Perception::~Perception() {
 std::optional<TableFrame> Perception::step() {
     follow();
     std::optional<TableFrame> result = next();
+    end_recording_when_due();
+    if (result) result->operating = operator_view();
     const std::string state = result ? result->state : std::string("ended");
     if (camera_ && camera_->is_device()) health_.lost_packets(camera_->lost_packets());
     health_.tick(std::chrono::steady_clock::now(), state, static_cast<double>(rate_hz_),
@@ -143,6 +145,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
     shown.arrived = start;
     show_light(shown.state);
     serve_scene(result, frame.timestamp_us, shown);
+    desk_.see(frame, *pipeline_);
     if (calibrates(result.state)) take_crosses(result);
     if (calibrates(result.state)) shown.cross = crosses_->guide(*pipeline_->area(), intrinsics_);
     measure_rate(start);
@@ -170,7 +173,7 @@ void Perception::start_pipeline(const Intrinsics& intrinsics) {
     particles_.reset();
     scene_view_.reset();
     const std::string& file = options_.config.scan_file;
-    if (file.empty()) return;
+    if (file.empty() || std::exchange(ignores_saved_scan_, false)) return;
     std::error_code none;
     if (!std::filesystem::exists(file, none)) {
         log_info("no scan at {} yet: scanning", file);
@@ -224,8 +227,10 @@ void Perception::take_crosses(const InteractionFrame& result) {
     log_info("the crosses told the bias of touches: {}", describe(*fit));
     bias_ = fit->bias;
     pipeline_->set_touch_bias(bias_);
+    if (options_.config.bias_file.empty())
+        log_info("it is kept until the end: no [touch] bias_file is named");
     try {
-        save_touch_bias(options_.config.bias_file, *fit);
+        if (!options_.config.bias_file.empty()) save_touch_bias(options_.config.bias_file, *fit);
     } catch (const Error& error) {
         log_warning("{}; the next start asks for the crosses again", error.what());
     }

@@ -11,6 +11,7 @@
 #include "app/frame_health.hpp"
 #include "app/frame_outputs.hpp"
 #include "app/health.hpp"
+#include "app/operator_desk.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "pipeline/particle_table.hpp"
@@ -21,6 +22,12 @@
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
+
+/// What the screen's side asks of the perception loop; the latest counts.
+struct TableWish {
+    SceneWish scene;
+    OperatorWish operating;
+};
 
 /// The perception loop: camera frame -> pipeline -> touches -> sinks. Never waits for the screen.
 class Perception {
@@ -36,8 +43,8 @@ class Perception {
     /// What the last result leaves to be done once it is handed on: the background follows. Else step() does
     /// it first.
     void follow();
-    /// What the scene needs from now on.
-    void take(SceneWish wish) { wish_ = std::move(wish); }
+    /// What scene and operator need from now on.
+    void take(TableWish wish);
     /// In step pace every frame must be shown before the next one.
     bool in_lock_step() const { return camera_ && camera_->pace() == Pace::step; }
 
@@ -72,6 +79,14 @@ class Perception {
                                                        std::uint64_t timestamp_us);
     std::shared_ptr<const RenderedView> render_wish();
     void measure_rate(std::chrono::steady_clock::time_point start);
+    /// Counts it, and keeps it for the operator.
+    void note_fault(const std::string& word, const std::string& reason);
+    void scan_anew();
+    /// Asks for the crosses.
+    void calibrate_touches();
+    void record_soon();
+    void end_recording_when_due();
+    std::shared_ptr<const OperatorView> operator_view() const;
 
     RunOptions options_;
     Device device_;
@@ -90,6 +105,8 @@ class Perception {
     std::optional<CrossStep> crosses_;  ///< until they told the bias of touches
     TouchBias bias_;
     SceneWish wish_;
+    OperatorDesk desk_;
+    bool ignores_saved_scan_ = false;
     std::optional<ParticleTable> particles_;  ///< while the scene wishes them
     std::optional<SceneView> scene_view_;     ///< while the scene wishes a picture
     int particles_cleared_ = 0;               ///< as often as the scene wished

@@ -80,6 +80,11 @@ void Presentation::measure() {
     times_.end_frame();
 }
 
+TableWish Presentation::wish() const {
+    if (!presenter_) return {};
+    return {presenter_->wish(), presenter_->operator_wish()};
+}
+
 void Presentation::finish() { glFinish(); }
 
 void Presentation::open() {

@@ -7,6 +7,7 @@
 
 #include "app/command_line.hpp"
 #include "app/frame_outputs.hpp"
+#include "app/perception.hpp"
 #include "platform/display/display.hpp"
 #include "platform/system/stage_timer.hpp"
 #include "ui/table_presenter.hpp"
@@ -30,13 +31,11 @@ class Presentation {
     void draw(const TableFrame& frame);
     /// Shows what was drawn; may wait for the screen.
     void show();
-    SceneWish wish() const { return presenter_ ? presenter_->wish() : SceneWish(); }
+    TableWish wish() const;
     /// The user closed the window.
     bool should_close() { return display_ && display_->should_close(); }
     /// Waits until what was shown is drawn, for those who measure.
     void finish();
-    /// From the arrival of a camera's frame to its picture handed to the screen, median of late.
-    double touch_to_photon_ms() const { return times_.summary(to_photon).median_ms; }
     /// A window goes on drawing between frames, so that it animates and takes events.
     bool animates() const { return kind_ != DisplayKind::headless; }
 

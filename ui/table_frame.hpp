@@ -14,6 +14,7 @@
 #include "pipeline/surface_grid.hpp"
 #include "pipeline/touch_event.hpp"
 #include "pipeline/types.hpp"
+#include "ui/operator_view.hpp"
 
 namespace touchstone {
 
@@ -40,7 +41,8 @@ struct TableFrame {
     RigidTransform T_g_c = RigidTransform::Identity();  ///< the camera's pose in the scan
     std::shared_ptr<const ParticleView> particles;      ///< while the scene wishes them, else null
     std::shared_ptr<const SurfaceGrid> surface;  ///< from the end of the scan on, where a projector lights it
-    std::shared_ptr<const RenderedView> rendered;  ///< the last one the scene wished for, else null
+    std::shared_ptr<const RenderedView> rendered;   ///< the last one the scene wished for, else null
+    std::shared_ptr<const OperatorView> operating;  ///< while the operator wishes it, else null
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;
     std::optional<CrossGuide> cross;  ///< while touches are calibrated
