@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/frame_reading.hpp"
+#include "app/presentation.hpp"
 #include "app/progress_line.hpp"
+#include "app/table_frames.hpp"
 #include "app/track_command.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "pipeline/reconstruction.hpp"
@@ -18,7 +20,14 @@ namespace touchstone {
 
 namespace {
 
-constexpr std::string_view whole_frame = "frame";
+constexpr std::string_view whole_frame = "frame", to_photon = "touch to photon";
+
+RunOptions shown_as(const BenchOptions& options) {
+    RunOptions run;
+    run.config = options.config;
+    run.display = options.display;
+    return run;
+}
 
 /// Times of one frame after the other; what is not live is not counted.
 class Bench {
@@ -29,6 +38,7 @@ class Bench {
         camera_.emplace(DepthCamera::open(options.config.sensor_uri, options.pace, options.moving,
                                           camera_setup(options.config)));
         log_info("reading {}, computing on {}", camera_->name(), device_.name());
+        if (options.display) presentation_.emplace(shown_as(options));
     }
 
     BenchResult run() {
@@ -51,15 +61,31 @@ class Bench {
   private:
     /// Whether the frame is measured: the first live one is not, with what runs for the first time in it.
     bool interact(const DepthFrame& frame) {
+        const auto arrived = std::chrono::steady_clock::now();
         if (!pipeline_)
             pipeline_.emplace(device_, interaction_config(options_.config, camera_->model()),
                               frame.intrinsics);
-        const InteractionFrame seen =
-            pipeline_->process({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
+        const InteractionFrame seen = pipeline_->see({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
+        if (presentation_) show(seen, frame, arrived);
+        pipeline_->follow();
         if (is_live_) return true;
         is_live_ = seen.state == InteractionState::live;
         pipeline_->forget_stage_times();
+        photon_times_.clear();
         return false;
+    }
+
+    void show(const InteractionFrame& seen, const DepthFrame& frame,
+              std::chrono::steady_clock::time_point arrived) {
+        TableFrame shown = make_table_frame(*pipeline_, seen, frame, options_.config.interaction.scan_frames);
+        shown.arrived = arrived;
+        (void)presentation_->should_close();
+        presentation_->draw(shown);
+        presentation_->show();
+        presentation_->finish();
+        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - arrived;
+        photon_times_.add(to_photon, taken.count());
+        photon_times_.end_frame();
     }
 
     bool track(const DepthFrame& frame) {
@@ -83,6 +109,7 @@ class Bench {
                            static_cast<double>(volume.memory_bytes()) / 1e6};
         for (const StageSummary& stage : times.summary())
             if (stage.stage != whole_frame) result.stages.push_back(stage);
+        if (presentation_) result.touch_to_photon = photon_times_.summary(to_photon);
         return result;
     }
 
@@ -92,6 +119,8 @@ class Bench {
     std::optional<DepthCamera> camera_;
     std::optional<InteractionPipeline> pipeline_;
     std::optional<Reconstruction> reconstruction_;
+    std::optional<Presentation> presentation_;  ///< where its pictures are measured
+    StageTimes photon_times_;
     bool is_live_ = false;
     int live_frames_ = 0;
 };
@@ -108,6 +137,8 @@ std::string bench_json(const BenchResult& result) {
         json["stages"][stage.stage] = {{"median_ms", stage.median_ms}, {"p99_ms", stage.p99_ms}};
     json["peak_rss_mb"] = result.peak_rss_mb;
     json["volume_mb"] = result.volume_mb;
+    if (const auto& photon = result.touch_to_photon)
+        json["touch_to_photon_ms"] = {{"median", photon->median_ms}, {"p99", photon->p99_ms}};
     return json.dump(2) + "\n";
 }
 
@@ -117,6 +148,8 @@ std::string bench_table(const BenchResult& result) {
         table += fmt::format("{:<34}{:>10.2f}{:>10.2f}\n", stage.stage, stage.median_ms, stage.p99_ms);
     table += fmt::format("{:<34}{:>10.2f}{:>10.2f}\n", fmt::format("frame ({} of them)", result.frame.frames),
                          result.frame.median_ms, result.frame.p99_ms);
+    if (const auto& photon = result.touch_to_photon)
+        table += fmt::format("{:<34}{:>10.2f}{:>10.2f}\n", to_photon, photon->median_ms, photon->p99_ms);
     return table +
            fmt::format("memory: {:.0f} MB at most, volume {:.1f} MB\n", result.peak_rss_mb, result.volume_mb);
 }

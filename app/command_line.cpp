@@ -42,7 +42,7 @@ struct CalibrateArguments {
 
 struct BenchArguments {
     SourceArguments source;
-    std::string json;
+    std::string json, display;
     bool moving = false;
 };
 
@@ -172,6 +172,11 @@ CLI::App* add_bench(CLI::App& app, BenchArguments& arguments) {
     bench->add_flag("--moving", arguments.moving, "the loop of track instead of that of run");
     bench->add_option("--json", arguments.json, "file for the figures, - for standard output")
         ->check(not_empty);
+    bench
+        ->add_option("--display", arguments.display,
+                     "headless, window or projector: the time from a frame to its picture, too")
+        ->check(CLI::IsMember(display_words()))
+        ->excludes("--moving");
     return bench;
 }
 
@@ -276,6 +281,7 @@ BenchOptions to_bench_options(const BenchArguments& arguments) {
     options.voxels = options.config.interaction.background.volume.size_vox;
     if (arguments.source.side_m) options.side_m = *arguments.source.side_m;
     options.json_file = if_given(arguments.json);
+    options.display = to_display(arguments.display);
     return options;
 }
 

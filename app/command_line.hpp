@@ -63,6 +63,7 @@ struct BenchOptions {
     int voxels = 512;                      ///< of a moving camera
     float side_m = 4.8f;                   ///< the same
     std::optional<std::string> json_file;  ///< "-" is standard output
+    std::optional<DisplayKind> display;    ///< its pictures are measured too; not with `moving`
 };
 
 enum class CalibrationMethod { touch, graycode };

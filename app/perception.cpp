@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/reports.hpp"
+#include "app/table_frames.hpp"
 #include "app/touch_bias_file.hpp"
 #include "app/touch_sinks.hpp"
 #include "pipeline/self_test.hpp"
@@ -62,7 +63,10 @@ Perception::~Perception() {
 }
 
 std::optional<TableFrame> Perception::step() {
+    follow();
     std::optional<TableFrame> result = next();
+    end_recording_when_due();
+    if (result) result->operating = operator_view();
     const std::string state = result ? result->state : std::string("ended");
     if (camera_ && camera_->is_device()) health_.lost_packets(camera_->lost_packets());
     health_.tick(std::chrono::steady_clock::now(), state, static_cast<double>(rate_hz_),
@@ -129,31 +133,13 @@ TableFrame Perception::process(const DepthFrame& frame) {
     publish(result, frame);
     health_.frame(frame.timestamp_us, camera_->rate_hz(),
                   static_cast<int>(std::ranges::count(result.touches, TouchPhase::down, &TouchEvent::phase)));
-    pipeline_->follow();
     recovery_.healthy(std::chrono::steady_clock::now());
-    save_scan_when_new(result.state);
-    TableFrame shown;
-    shown.index = frame.index;
-    shown.timestamp_us = frame.timestamp_us;
-    shown.state = state_word(result.state);
+    TableFrame shown = make_table_frame(*pipeline_, result, frame, options_.config.interaction.scan_frames);
+    shown.arrived = start;
     show_light(shown.state);
-    shown.scan_progress = result.scan_progress;
-    shown.scan_frames_done = result.scan_frames_done;
-    shown.scan_frames_wanted = options_.config.interaction.scan_frames;
-    shown.note = result.note;
-    if (result.state != InteractionState::starting)
-        shown.view = std::make_shared<ShadedView>(pipeline_->view());
-    if (const auto& area = pipeline_->area()) {
-        shown.has_area = true;
-        shown.area_px = area_corners_px(*area, intrinsics_);
-        shown.area = *area;
-    }
-    shown.intrinsics = intrinsics_;
-    if (pipeline_->background()) shown.T_g_c = pipeline_->background()->T_g_c();
     serve_scene(result, frame.timestamp_us, shown);
     map_projector(result.state, shown);
-    shown.touches = result.touches;
-    shown.hovers = result.hovers;
+    desk_.see(frame, *pipeline_);
     if (calibrates(result.state)) take_crosses(result);
     if (calibrates(result.state)) shown.cross = crosses_->guide(*pipeline_->area(), intrinsics_);
     measure_rate(start);
@@ -162,7 +148,14 @@ TableFrame Perception::process(const DepthFrame& frame) {
     ++frames_done_;
     last_shown_ = shown;
     last_shown_.touches.clear();
+    to_follow_ = result.state;
     return shown;
+}
+
+void Perception::follow() {
+    if (!to_follow_) return;
+    pipeline_->follow();
+    save_scan_when_new(*std::exchange(to_follow_, std::nullopt));
 }
 
 void Perception::start_pipeline(const Intrinsics& intrinsics) {
@@ -174,7 +167,7 @@ void Perception::start_pipeline(const Intrinsics& intrinsics) {
     particles_.reset();
     scene_view_.reset();
     const std::string& file = options_.config.scan_file;
-    if (file.empty()) return;
+    if (file.empty() || std::exchange(ignores_saved_scan_, false)) return;
     std::error_code none;
     if (!std::filesystem::exists(file, none)) {
         log_info("no scan at {} yet: scanning", file);
@@ -228,8 +221,10 @@ void Perception::take_crosses(const InteractionFrame& result) {
     log_info("the crosses told the bias of touches: {}", describe(*fit));
     bias_ = fit->bias;
     pipeline_->set_touch_bias(bias_);
+    if (options_.config.bias_file.empty())
+        log_info("it is kept until the end: no [touch] bias_file is named");
     try {
-        save_touch_bias(options_.config.bias_file, *fit);
+        if (!options_.config.bias_file.empty()) save_touch_bias(options_.config.bias_file, *fit);
     } catch (const Error& error) {
         log_warning("{}; the next start asks for the crosses again", error.what());
     }

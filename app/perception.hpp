@@ -11,6 +11,7 @@
 #include "app/frame_health.hpp"
 #include "app/frame_outputs.hpp"
 #include "app/health.hpp"
+#include "app/operator_desk.hpp"
 #include "app/projector_mapping.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
@@ -23,6 +24,12 @@
 
 namespace touchstone {
 
+/// What the screen's side asks of the perception loop; the latest counts.
+struct TableWish {
+    SceneWish scene;
+    OperatorWish operating;
+};
+
 /// The perception loop: camera frame -> pipeline -> touches -> sinks. Never waits for the screen.
 class Perception {
   public:
@@ -34,8 +41,11 @@ class Perception {
     /// The next result: one processed frame, or word that there is no camera. Nothing once the source or the
     /// wanted number of frames is at its end.
     std::optional<TableFrame> step();
-    /// What the scene needs from now on.
-    void take(SceneWish wish) { wish_ = std::move(wish); }
+    /// What the last result leaves to be done once it is handed on: the background follows. Else step() does
+    /// it first.
+    void follow();
+    /// What scene and operator need from now on.
+    void take(TableWish wish);
     /// In step pace every frame must be shown before the next one.
     bool in_lock_step() const { return camera_ && camera_->pace() == Pace::step; }
 
@@ -72,6 +82,14 @@ class Perception {
                                                        std::uint64_t timestamp_us);
     std::shared_ptr<const RenderedView> render_wish();
     void measure_rate(std::chrono::steady_clock::time_point start);
+    /// Counts it, and keeps it for the operator.
+    void note_fault(const std::string& word, const std::string& reason);
+    void scan_anew();
+    /// Asks for the crosses.
+    void calibrate_touches();
+    void record_soon();
+    void end_recording_when_due();
+    std::shared_ptr<const OperatorView> operator_view() const;
 
     RunOptions options_;
     Device device_;
@@ -90,6 +108,8 @@ class Perception {
     std::optional<CrossStep> crosses_;  ///< until they told the bias of touches
     TouchBias bias_;
     SceneWish wish_;
+    OperatorDesk desk_;
+    bool ignores_saved_scan_ = false;
     std::optional<ParticleTable> particles_;     ///< while the scene wishes them
     std::optional<SceneView> scene_view_;        ///< while the scene wishes a picture
     int particles_cleared_ = 0;                  ///< as often as the scene wished
@@ -100,7 +120,8 @@ class Perception {
     float rate_hz_ = 0.0f;
     int frames_done_ = 0;
     TableFrame last_shown_;
-    bool scan_is_new_ = false;  ///< made or moved since it was last written
+    std::optional<InteractionState> to_follow_;  ///< of a frame that was seen only
+    bool scan_is_new_ = false;                   ///< made or moved since it was last written
 };
 
 /// For the mailbox: the newer frame, with the touch events of the one that was never drawn put before its

@@ -74,7 +74,7 @@ std::optional<CameraFault> Perception::fault_of(DepthFrame& frame) {
     frame.timestamp_us = time_.steady_us(frame.timestamp_us, host_time_us());
     if (time_.jumps() != jumps) {
         log_warning("{}: its clock has jumped", camera_->name());
-        health_.fault("clock");
+        note_fault("clock", "the camera's clock has jumped");
     }
     switch (judge_.judge(frame)) {
         case FrameHealth::frozen:
@@ -83,7 +83,7 @@ std::optional<CameraFault> Perception::fault_of(DepthFrame& frame) {
             return blind_camera;
         case FrameHealth::torn:
             log_warning("{}: half of a picture is from the one before", camera_->name());
-            health_.fault("torn");
+            note_fault("torn", "half of a picture is from the one before");
             return torn_camera;
         case FrameHealth::good:
             break;
@@ -93,7 +93,7 @@ std::optional<CameraFault> Perception::fault_of(DepthFrame& frame) {
 
 TableFrame Perception::without_camera(const std::string& reason) {
     log_warning("{}", reason);
-    health_.fault("lost");
+    note_fault("lost", reason);
     if (fault_reports_) fault_reports_->report("lost");
     drop_camera();
     recovery_.lost(std::chrono::steady_clock::now());
@@ -114,7 +114,7 @@ void Perception::help_camera(const CameraFault& fault) {
     if (!ailed) {
         log_warning("{}: {}; restarting its stream", camera_->name(), fault.text);
         if (fault_reports_) fault_reports_->report(fault.word);
-        if (fault.word != torn_camera.word) health_.fault(std::string(fault.word));
+        if (fault.word != torn_camera.word) note_fault(std::string(fault.word), std::string(fault.text));
         release_touches();
         show_light("sensor_lost");
     }

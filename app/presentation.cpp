@@ -1,5 +1,6 @@
 #include "app/presentation.hpp"
 
+#include <GLES3/gl31.h>
 #include <utility>
 
 #include "app/displays.hpp"
@@ -42,6 +43,27 @@ Presentation::Presentation(const RunOptions& options, DisplayMaker make_display)
     if (options.shots_dir) shots_.emplace(*options.shots_dir);
     open();
 }
+
+Presentation::~Presentation() {
+    for (const StageSummary& stage : times_.summary())
+        log_debug("{}: median {:.2f} ms, 99 % {:.2f} ms", stage.stage, stage.median_ms, stage.p99_ms);
+}
+
+/// A picture of a frame that was shown before has waited for nothing.
+void Presentation::measure() {
+    if (drawn_arrived_ == last_measured_) return;
+    last_measured_ = drawn_arrived_;
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - drawn_arrived_;
+    times_.add(to_photon, taken.count());
+    times_.end_frame();
+}
+
+TableWish Presentation::wish() const {
+    if (!presenter_) return {};
+    return {presenter_->wish(), presenter_->operator_wish()};
+}
+
+void Presentation::finish() { glFinish(); }
 
 void Presentation::open() {
     display_ = make_display_();
@@ -89,6 +111,7 @@ void Presentation::draw(const TableFrame& frame) {
         lose_display();
     }
     if (frame.view) drawn_index_ = frame.index;
+    drawn_arrived_ = frame.arrived;
 }
 
 const TableFrame& Presentation::fit_to_table(const TableFrame& frame) {
@@ -111,6 +134,7 @@ void Presentation::show() {
         lose_display();
         return;
     }
+    measure();
     if (!shots_ || drawn_index_ == last_shot_) return;
     last_shot_ = drawn_index_;
     shots_->write_shot(drawn_index_, display_->read_pixels());

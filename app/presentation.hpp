@@ -7,7 +7,9 @@
 
 #include "app/command_line.hpp"
 #include "app/frame_outputs.hpp"
+#include "app/perception.hpp"
 #include "platform/display/display.hpp"
+#include "platform/system/stage_timer.hpp"
 #include "ui/projected_display.hpp"
 #include "ui/table_presenter.hpp"
 
@@ -24,13 +26,17 @@ class Presentation {
     explicit Presentation(const RunOptions& options);
     /// On a display that somebody else makes.
     Presentation(const RunOptions& options, DisplayMaker make_display);
+    /// Says how long touches took to the screen, at log level debug.
+    ~Presentation();
 
     void draw(const TableFrame& frame);
     /// Shows what was drawn; may wait for the screen.
     void show();
-    SceneWish wish() const { return presenter_ ? presenter_->wish() : SceneWish(); }
+    TableWish wish() const;
     /// The user closed the window.
     bool should_close() { return display_ && display_->should_close(); }
+    /// Waits until what was shown is drawn, for those who measure.
+    void finish();
     /// A window goes on drawing between frames, so that it animates and takes events.
     bool animates() const { return kind_ != DisplayKind::headless; }
 
@@ -41,6 +47,9 @@ class Presentation {
     void lose_display();
     /// On the table itself: the frame as its display shows it, thrown as the frame says.
     const TableFrame& fit_to_table(const TableFrame& frame);
+    void measure();
+
+    static constexpr std::string_view to_photon = "touch to photon";
 
     DisplayKind kind_;
     DisplayMaker make_display_;
@@ -57,6 +66,8 @@ class Presentation {
     std::optional<PictureFolder> shots_;
     std::chrono::steady_clock::time_point last_drawn_, next_try_{};
     int drawn_index_ = -1, last_shot_ = -1;  ///< drawn_index_ only of frames with a view
+    StageTimes times_;
+    std::chrono::steady_clock::time_point drawn_arrived_{}, last_measured_{};
 };
 
 }  // namespace touchstone

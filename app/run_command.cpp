@@ -18,6 +18,7 @@ void run_in_lock_step(Perception& perception, Presentation& presentation, Termin
         presentation.draw(*frame);
         presentation.show();
         perception.take(presentation.wish());
+        perception.follow();
     }
 }
 

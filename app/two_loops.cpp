@@ -9,15 +9,16 @@ namespace touchstone {
 
 void run_two_loops(Perception& perception, Presentation& presentation, TerminationSignals& signals) {
     Mailbox<TableFrame> mailbox(merge_frames);
-    Mailbox<SceneWish> wishes;
+    Mailbox<TableWish> wishes;
     std::exception_ptr failure;
     std::jthread perceiving([&](const std::stop_token& stop) {
         try {
             while (!stop.stop_requested()) {
-                if (std::optional<SceneWish> wish = wishes.try_take()) perception.take(std::move(*wish));
+                if (std::optional<TableWish> wish = wishes.try_take()) perception.take(std::move(*wish));
                 std::optional<TableFrame> frame = perception.step();
                 if (!frame) break;
                 mailbox.put(std::move(*frame));
+                perception.follow();
             }
         } catch (...) {
             failure = std::current_exception();

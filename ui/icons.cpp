@@ -119,6 +119,30 @@ void draw_undo(const Pen& pen) {
     pen.fill(head);
 }
 
+/// A circle that begins again.
+void draw_rescan(const Pen& pen) {
+    pen.arc(0.f, 0.f, 0.34f, 0.1f, 0.92f);
+    const std::array head{Vector2f(-0.02f, -0.34f), Vector2f(-0.26f, -0.48f), Vector2f(-0.24f, -0.12f)};
+    pen.fill(head);
+}
+
+/// The mark that calibration asks to touch.
+void draw_cross(const Pen& pen) {
+    pen.ring(0.f, 0.f, 0.3f);
+    pen.line({-0.46f, 0.f}, {0.46f, 0.f});
+    pen.line({0.f, -0.46f}, {0.f, 0.46f});
+}
+
+void draw_record(const Pen& pen) {
+    pen.ring(0.f, 0.f, 0.42f);
+    pen.disc(0.f, 0.f, 0.24f);
+}
+
+void draw_close(const Pen& pen) {
+    pen.line({-0.3f, -0.3f}, {0.3f, 0.3f});
+    pen.line({-0.3f, 0.3f}, {0.3f, -0.3f});
+}
+
 void draw_clear(const Pen& pen) {
     const std::array bin{Vector2f(-0.3f, -0.24f), Vector2f(-0.24f, 0.45f), Vector2f(0.24f, 0.45f),
                          Vector2f(0.3f, -0.24f)};
@@ -215,6 +239,14 @@ void draw_icon(Canvas& canvas, Icon icon, const Vector2f& center_px, float side_
             return draw_normals(pen);
         case Icon::hand:
             return draw_hand(pen);
+        case Icon::rescan:
+            return draw_rescan(pen);
+        case Icon::cross:
+            return draw_cross(pen);
+        case Icon::record:
+            return draw_record(pen);
+        case Icon::close:
+            return draw_close(pen);
     }
 }
 

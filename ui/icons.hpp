@@ -24,6 +24,10 @@ enum class Icon {
     shaded,
     normals,
     hand,
+    rescan,
+    cross,
+    record,
+    close,
 };
 
 Icon scene_icon(std::string_view scene_name);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "pipeline/surface_grid.hpp"
 #include "pipeline/touch_event.hpp"
 #include "pipeline/types.hpp"
+#include "ui/operator_view.hpp"
 
 namespace touchstone {
 
@@ -23,6 +25,7 @@ namespace touchstone {
 struct TableFrame {
     int index = 0;
     std::uint64_t timestamp_us = 0;
+    std::chrono::steady_clock::time_point arrived{};  ///< the camera's frame, from the driver
     std::string state;           ///< starting, scanning, live, sensor_lost: the words of the event log
     float scan_progress = 0.f;   ///< 0..1 while scanning
     int scan_frames_done = 0;    ///< while scanning
@@ -40,7 +43,8 @@ struct TableFrame {
     std::shared_ptr<const ParticleView> particles;      ///< while the scene wishes them, else null
     std::shared_ptr<const ProjectorModel> projector;    ///< likewise
     std::shared_ptr<const SurfaceGrid> surface;  ///< from the end of the scan on, where a projector lights it
-    std::shared_ptr<const RenderedView> rendered;  ///< the last one the scene wished for, else null
+    std::shared_ptr<const RenderedView> rendered;   ///< the last one the scene wished for, else null
+    std::shared_ptr<const OperatorView> operating;  ///< while the operator wishes it, else null
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;
     std::optional<CrossGuide> cross;  ///< while touches are calibrated

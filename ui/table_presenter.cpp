@@ -9,6 +9,7 @@
 #include "ui/finger_marks.hpp"
 #include "ui/idle_watch.hpp"
 #include "ui/layout.hpp"
+#include "ui/operator_panel.hpp"
 #include "ui/scenes/attract.hpp"
 #include "ui/scenes/scan_progress.hpp"
 #include "ui/status_panel.hpp"
@@ -41,6 +42,7 @@ struct TablePresenter::Parts {
     std::string scene_name;
     std::unique_ptr<Scene> scene;
     std::optional<TouchMenu> menu;
+    OperatorPanel panel;
     IdleWatch idle{0.f};
     AttractScene attract;
     float idle_share = 0.f;         // 0..1 while it comes and goes
@@ -75,6 +77,7 @@ void TablePresenter::present(const TableFrame& frame, float dt_s) {
 
 void TablePresenter::draw(const TableFrame& frame, float dt_s) {
     clock_s_ += dt_s;
+    take_keys();
     if (frame.index != last_index_ || frame.timestamp_us != last_timestamp_us_) take_in(frame);
     last_index_ = frame.index;
     last_timestamp_us_ = frame.timestamp_us;
@@ -87,6 +90,8 @@ SceneWish TablePresenter::wish() const {
     if (wish.view) wish.view->version += parts_->versions_before;
     return wish;
 }
+
+OperatorWish TablePresenter::operator_wish() const { return parts_->panel.wish(); }
 
 const std::string& TablePresenter::scene_name() const { return parts_->scene_name; }
 
@@ -110,12 +115,13 @@ void TablePresenter::take_in(const TableFrame& told) {
     p.idle.see(frame);
     for (const TouchEvent& event : frame.touches) {
         if (slept && event.phase == TouchPhase::down) p.ignored_fingers.insert(event.tip.id);
-        if (!frame.cross) deliver(event);
+        if (!frame.cross || p.panel.is_open()) deliver(event);
         p.fingers.on_touch(event);
     }
     p.scene->on_hovers(frame.hovers);
     p.fingers.on_hovers(frame.hovers);
     if (is_waiting_state(frame)) lift_all_fingers();
+    if (p.panel.update(frame, p.surface)) take_fingers_from_scene();
     if (!p.menu) return;
     if (p.idle.is_idle()) p.menu->close();
     if (const auto chosen = p.menu->update(frame.timestamp_us)) change_scene(*chosen, frame);
@@ -142,7 +148,27 @@ void TablePresenter::deliver(const TouchEvent& event) {
         if (event.phase == TouchPhase::up) p.ignored_fingers.erase(event.tip.id);
         return;
     }
+    if (!p.panel.on_touch(event)) deliver_to_scene(event);
+}
+
+void TablePresenter::deliver_to_scene(const TouchEvent& event) {
+    Parts& p = *parts_;
     if (!p.menu || !p.menu->on_touch(event)) p.scene->on_touch(event);
+}
+
+/// For the scene they go up, and until they do they are nobody's.
+void TablePresenter::take_fingers_from_scene() {
+    Parts& p = *parts_;
+    for (const auto& [id, tip] : p.fingers.touching()) {
+        deliver_to_scene({tip, TouchPhase::up});
+        p.ignored_fingers.insert(id);
+    }
+    if (p.menu) p.menu->close();
+}
+
+void TablePresenter::take_keys() {
+    while (const std::optional<char> key = display_.take_key())
+        if (*key == 'o') parts_->panel.toggle();
 }
 
 /// The old scene is gone before the new one is there. Fingers on the surface do nothing in the new one.
@@ -167,13 +193,14 @@ void TablePresenter::lift_all_fingers() {
     p.scene->on_hovers({});
     p.fingers.clear();
     p.ignored_fingers.clear();
+    p.panel.cancel();
     if (p.menu) p.menu->close();
 }
 
 void TablePresenter::update(float dt_s) {
     Parts& p = *parts_;
     p.scene->update(dt_s);
-    const bool attracts = p.idle.is_idle() && p.scene_name != "attract";
+    const bool attracts = p.idle.is_idle() && !p.panel.is_open() && p.scene_name != "attract";
     p.idle_share += attracts ? dt_s / fall_idle_s : -dt_s / wake_s;
     p.idle_share = std::clamp(p.idle_share, 0.f, 1.f);
     if (p.idle_share > 0.f) p.attract.update(dt_s);
@@ -204,7 +231,9 @@ void TablePresenter::draw_all(const TableFrame& frame) {
         fade(canvas, 1.f - p.idle_share);
         p.attract.draw(canvas, p.layout.view, p.idle_share);
     }
+    if (p.panel.is_open()) p.panel.draw(canvas, p.layout.view, p.surface, frame);
     p.canvas_renderer.draw(canvas);
+    if (p.panel.is_open()) p.panel.draw_pictures(display);
 }
 
 void TablePresenter::draw_scene(const TableFrame& frame) {
@@ -218,7 +247,7 @@ void TablePresenter::draw_scene(const TableFrame& frame) {
         draw_area(p.canvas, view, frame.area_px);
     if (is_waiting_state(frame)) {
         draw_scan_progress(p.canvas, view.rect, frame, clock_s_);
-    } else {
+    } else if (!p.panel.is_open()) {
         p.scene->draw(p.canvas, view);
         if (p.menu && !frame.cross) p.menu->draw(p.canvas, view, p.surface, p.scene_name);
         p.fingers.draw(p.canvas, view);

@@ -18,8 +18,8 @@ struct PresenterConfig {
 };
 
 /// Draws the table on a display: the shaded view, a scene, fingers, and the words about it. Where nobody
-/// comes it attracts people, over the scene that waits for them. Lives on the display's thread and dies
-/// before the display.
+/// comes it attracts people, over the scene that waits for them. The key o, or a finger that rests in a
+/// corner, opens the operator's panel. Lives on the display's thread and dies before the display.
 class TablePresenter {
   public:
     /// Throws Error{usage} for an unknown scene, or one for screens only where the display is projected,
@@ -34,6 +34,8 @@ class TablePresenter {
     void present(const TableFrame& frame, float dt_s);
     /// What the scene needs from the perception loop.
     SceneWish wish() const;
+    /// What the operator needs from it.
+    OperatorWish operator_wish() const;
     const std::string& scene_name() const;
 
   private:
@@ -41,7 +43,10 @@ class TablePresenter {
 
     void take_in(const TableFrame& told);
     void start_scene(const TableFrame& frame);
+    void take_keys();
     void deliver(const TouchEvent& event);
+    void deliver_to_scene(const TouchEvent& event);
+    void take_fingers_from_scene();
     void change_scene(const std::string& name, const TableFrame& frame);
     void lift_all_fingers();
     void update(float dt_s);

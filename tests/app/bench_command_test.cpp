@@ -30,8 +30,12 @@ TEST(BenchResult, IsTheJsonOfTheContractAndATable) {
     EXPECT_EQ(json::parse(bench_json(result)),
               json::parse(R"({"device":"a device","frames":300,"frame_ms":{"median":8.5,"p99":16.25},
                   "stages":{"raycast":{"median_ms":1.5,"p99_ms":2.5}},"peak_rss_mb":123.5,"volume_mb":20.25})"));
+    result.touch_to_photon = {"touch to photon", 18.5, 24.0, 300};
+    EXPECT_EQ(json::parse(bench_json(result))["touch_to_photon_ms"],
+              json::parse(R"({"median":18.5,"p99":24})"));
     const std::string table = bench_table(result);
-    for (const char* part : {"a device", "raycast", "1.50", "300 of them", "16.25", "volume 20.2 MB"})
+    for (const char* part : {"a device", "raycast", "1.50", "300 of them", "16.25", "volume 20.2 MB",
+                             "touch to photon                        18.50"})
         EXPECT_THAT(table, HasSubstr(part));
 }
 
@@ -54,6 +58,24 @@ TEST(Bench, MeasuresLiveFramesOfTheTable) {
     EXPECT_GT(sum_ms, 0.5 * figures["frame_ms"]["median"].get<double>());
     EXPECT_GT(figures["peak_rss_mb"], 20.0);
     EXPECT_GT(figures["volume_mb"], 0.5);
+}
+
+TEST(Bench, MeasuresThePicturesOfItsFramesToo) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "quick.toml") << "[scan]\nframes = 6\n";
+    const ProgramResult result =
+        bench({"--sensor", "sim:flat?hands=1&empty=0.2&seed=2", "--voxels", "64", "--frames", "3",
+               "--display", "headless", "--config", (folder / "quick.toml").string(), "--json", "-"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json figures = json::parse(result.out);
+    EXPECT_GT(figures["touch_to_photon_ms"]["median"], 0.0);
+    EXPECT_GE(figures["touch_to_photon_ms"]["p99"], figures["touch_to_photon_ms"]["median"]);
+}
+
+TEST(Bench, AMovingCamerasPicturesAreNone) {
+    const ProgramResult result = bench({"--moving", "--display", "headless", "--sensor", "sim:room"});
+    EXPECT_EQ(result.status, 64);
+    EXPECT_THAT(result.err, HasSubstr("--moving excludes --display"));
 }
 
 TEST(Bench, MeasuresAMovingCamera) {

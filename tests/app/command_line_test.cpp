@@ -40,6 +40,8 @@ TEST(CommandLine, BenchTakesEveryFrameInOrder) {
     EXPECT_FALSE(plain.moving);
     EXPECT_EQ(plain.frames, 600);
     EXPECT_FALSE(plain.json_file);
+    EXPECT_FALSE(plain.display);
+    EXPECT_EQ(std::get<BenchOptions>(parse({"bench", "--display", "window"})).display, DisplayKind::window);
     const BenchOptions options = std::get<BenchOptions>(
         parse({"bench", "--moving", "--json", "-", "--frames", "9", "--voxels", "256", "--side", "3"}));
     EXPECT_TRUE(options.moving);

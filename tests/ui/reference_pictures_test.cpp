@@ -56,6 +56,29 @@ TEST_F(ReferencePictures, Paint) {
     compare(present({}, {HoverEvent{touch(99, TouchPhase::move, {280.f, 100.f}).tip}}), "paint");
 }
 
+TEST_F(ReferencePictures, OperatorPanel) {
+    auto view = std::make_shared<OperatorView>();
+    view->camera = "Kinect v1 at USB 1-2.3";
+    view->device = "pthread-cortex-a76";
+    view->camera_rate_hz = 30.f;
+    for (const char* stage : {"depth map conversion", "foreground segmentation", "touch detection",
+                              "touches out", "volumetric integration, raycast", "frame"})
+        view->stages.push_back({stage, 3.5, 5.25, 300});
+    view->faults = {"14:03:12 silent: The depth camera is silent", "13:58:01 lost: it was pulled out"};
+    view->can_record = true;
+    view->depth.size = view->mask.size = {160, 120};
+    for (int i = 0; i < 160 * 120; ++i) {
+        view->depth.gray.push_back(static_cast<std::uint8_t>(i % 160 + 40));
+        view->mask.gray.push_back(i % 160 > 60 && i % 160 < 90 && i / 160 > 50 ? 255 : 0);
+    }
+    frame_.operating = view;
+    frame_.frame_rate_hz = 29.9f;
+    open("paint");
+    tap(frame_.area_px[0] + Vector2f(3.f, 3.f), 2.2f);
+    pass(0.3f);
+    compare(present(), "operator_panel");
+}
+
 TEST_F(ReferencePictures, Menu) {
     open("photos");
     pass(0.2f);

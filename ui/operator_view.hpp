@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "platform/display/picture.hpp"
+#include "platform/system/stage_timer.hpp"
+
+namespace touchstone {
+
+/// A small gray picture, row-major.
+struct Thumbnail {
+    PixelSize size;
+    std::vector<std::uint8_t> gray;
+};
+
+/// What the perception loop tells the operator.
+struct OperatorView {
+    std::string camera, device;
+    float camera_rate_hz = 0.f;  ///< what the camera promises
+    std::vector<StageSummary> stages;
+    std::vector<std::string> faults;  ///< the last ones, newest first: when and why
+    bool can_record = false;
+    std::string recording;  ///< how far it is, where the last one lies, or why there is none
+    Thumbnail depth;        ///< near is bright, nothing measured is black
+    Thumbnail mask;         ///< the foreground is white
+};
+
+/// What the operator asks of the perception loop: how often up to now.
+struct OperatorWish {
+    bool open = false;  ///< an OperatorView is wanted
+    int rescans = 0;
+    int recalibrations = 0;  ///< of touches
+    int recordings = 0;      ///< of the 10 s to come
+};
+
+}  // namespace touchstone
