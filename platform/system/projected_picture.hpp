@@ -31,7 +31,8 @@ class ProjectedPictureWriter {
     ProjectedPictureWriter(const ProjectedPictureWriter&) = delete;
     ProjectedPictureWriter& operator=(const ProjectedPictureWriter&) = delete;
 
-    /// rgba as in ProjectedPicture, of width x height pixels.
+    /// rgba as in ProjectedPicture, of width x height pixels. Throws Error{bad_data} where it is larger than
+    /// announced or its bytes are too few or too many.
     void show(std::span<const std::uint8_t> rgba, int width_px, int height_px,
               std::optional<std::array<float, 2>> aim_px = std::nullopt);
 
@@ -48,18 +49,16 @@ class ProjectedPictureReader {
     ProjectedPictureReader(const ProjectedPictureReader&) = delete;
     ProjectedPictureReader& operator=(const ProjectedPictureReader&) = delete;
 
-    /// The picture that is shown now, whole, never half of one and half of the next; null before the first.
+    /// The picture that is shown now, whole, never half of one and half of the next; null before the first
+    /// and when the writer is gone. Valid until the next call; copied only when there is a new one, which has
+    /// a new version, of whichever writer.
     const ProjectedPicture* latest();
 
   private:
     struct Mapping;
-
-    void open();
-    bool copy(std::uint64_t version);
-
     std::string name_;
     std::unique_ptr<Mapping> mapping_;
-    ProjectedPicture picture_, next_;
+    ProjectedPicture picture_;
 };
 
 }  // namespace touchstone
