@@ -10,7 +10,7 @@ namespace {
 RunOptions small_table() {
     RunOptions options;
     options.config.sensor_uri = "sim:flat?hands=0&seed=3";
-    options.config.tuio_enabled = false;
+    options.config.tuio.enabled = false;
     options.config.interaction.background.volume.size_vox = 64;
     options.config.interaction.scan_frames = 4;
     options.pace = Pace::step;
