@@ -24,13 +24,14 @@ DisplayKind choose_kind(const RunOptions& options) {
     return desktop ? DisplayKind::window : DisplayKind::headless;
 }
 
-std::unique_ptr<Display> make_display(DisplayKind kind, const DisplayConfig& config) {
+std::unique_ptr<Display> make_display(DisplayKind kind, const DisplayConfig& config, bool is_read) {
+    const WindowPixels pixels = is_read ? WindowPixels::readable : WindowPixels::shown_only;
     const PixelSize size{config.width_px, config.height_px};
     switch (kind) {
         case DisplayKind::window:
-            return make_sdl_display("Touchstone", size);
+            return make_sdl_display("Touchstone", size, pixels);
         case DisplayKind::projector:
-            return make_projector_display("Touchstone", {config.output, config.mode});
+            return make_projector_display("Touchstone", {config.output, config.mode, pixels});
         case DisplayKind::headless:
             break;
     }
@@ -52,8 +53,9 @@ PresenterConfig presenter_config(const DisplayConfig& config) {
 }  // namespace
 
 Presentation::Presentation(const RunOptions& options)
-    : Presentation(options, [kind = choose_kind(options), config = options.config.display] {
-          return make_display(kind, config);
+    : Presentation(options, [kind = choose_kind(options), config = options.config.display,
+                             is_read = options.shots_dir.has_value()] {
+          return make_display(kind, config, is_read);
       }) {}
 
 Presentation::Presentation(const RunOptions& options, DisplayMaker make_display)
