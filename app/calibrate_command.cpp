@@ -98,7 +98,8 @@ class Calibration {
   private:
     std::unique_ptr<Display> open_projector() {
         if (!has_simulated_projector(options_.config.sensor_uri))
-            return open_display(choose_display(options_.display), options_.config.display);
+            return open_display(choose_display(options_.display), options_.config.display,
+                                WindowPixels::shown_only);
         auto simulated = open_simulated_projector();
         simulated_ = simulated.get();
         return simulated;

@@ -5,7 +5,6 @@
 
 #include "platform/display/headless_display.hpp"
 #include "platform/display/projector_display.hpp"
-#include "platform/display/sdl_display.hpp"
 
 namespace touchstone {
 namespace {
@@ -20,13 +19,13 @@ DisplayKind choose_display(std::optional<DisplayKind> wanted) {
     return desktop ? DisplayKind::window : DisplayKind::headless;
 }
 
-std::unique_ptr<Display> open_display(DisplayKind kind, const DisplayConfig& config) {
+std::unique_ptr<Display> open_display(DisplayKind kind, const DisplayConfig& config, WindowPixels pixels) {
     const PixelSize size{config.width_px, config.height_px};
     switch (kind) {
         case DisplayKind::window:
-            return make_sdl_display("Touchstone", size);
+            return make_sdl_display("Touchstone", size, pixels);
         case DisplayKind::projector:
-            return make_projector_display("Touchstone", {config.output, config.mode});
+            return make_projector_display("Touchstone", {config.output, config.mode, pixels});
         case DisplayKind::headless:
             break;
     }
@@ -45,7 +44,8 @@ std::unique_ptr<SimulatedProjector> open_simulated_projector() {
 
 std::unique_ptr<Display> open_display(const RunOptions& options) {
     if (has_simulated_projector(options.config.sensor_uri)) return open_simulated_projector();
-    return open_display(choose_display(options.display), options.config.display);
+    const WindowPixels pixels = options.shots_dir ? WindowPixels::readable : WindowPixels::shown_only;
+    return open_display(choose_display(options.display), options.config.display, pixels);
 }
 
 bool throws_on_table(const RunOptions& options) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/command_line.hpp"
-#include "platform/display/display.hpp"
+#include "platform/display/sdl_display.hpp"
 #include "platform/display/simulated_projector.hpp"
 
 namespace touchstone {
@@ -14,7 +14,7 @@ namespace touchstone {
 DisplayKind choose_display(std::optional<DisplayKind> wanted);
 
 /// Throws Error{unavailable} where there is no display of the kind.
-std::unique_ptr<Display> open_display(DisplayKind kind, const DisplayConfig& config);
+std::unique_ptr<Display> open_display(DisplayKind kind, const DisplayConfig& config, WindowPixels pixels);
 
 /// Whether a sensor URI asks for a simulated projector over the simulated table.
 bool has_simulated_projector(const std::string& sensor_uri);

@@ -18,7 +18,7 @@ class Display {
     virtual void begin_frame() = 0;
     /// Shows the picture. It stays readable until the next begin_frame.
     virtual void present() = 0;
-    /// What was drawn last; waits for the drawing to end.
+    /// What was drawn last; waits for the drawing to end. Of a window only where that was asked for.
     virtual Picture read_pixels() = 0;
     /// Takes the waiting window events: true once the user has asked to quit (window closed, Escape).
     virtual bool should_close() = 0;

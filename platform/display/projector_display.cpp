@@ -90,7 +90,7 @@ class ChosenOutput {
 class ProjectorDisplay : public Display {
   public:
     ProjectorDisplay(const std::string& title, const ProjectorConfig& config)
-        : output_(config), surface_(title, output_.bounds(), SDL_WINDOW_BORDERLESS) {
+        : output_(config), surface_(title, output_.bounds(), SDL_WINDOW_BORDERLESS, config.pixels) {
         SDL_ShowCursor(SDL_DISABLE);
         SDL_DisableScreenSaver();
         follow_output();

@@ -3,13 +3,14 @@
 #include <memory>
 #include <string>
 
-#include "platform/display/display.hpp"
+#include "platform/display/sdl_display.hpp"
 
 namespace touchstone {
 
 struct ProjectorConfig {
     std::string output;  ///< as find_output
     std::string mode;    ///< as choose_mode
+    WindowPixels pixels = WindowPixels::readable;
 };
 
 /// All of an output, without a cursor, which never goes dark: on a bare console or as a window of a desktop.

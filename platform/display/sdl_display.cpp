@@ -8,9 +8,9 @@ namespace {
 
 class SdlDisplay : public Display {
   public:
-    SdlDisplay(const std::string& title, PixelSize size)
+    SdlDisplay(const std::string& title, PixelSize size, WindowPixels pixels)
         : surface_(title, {SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width_px, size.height_px},
-                   SDL_WINDOW_RESIZABLE) {}
+                   SDL_WINDOW_RESIZABLE, pixels) {}
 
     PixelSize size_px() const override { return surface_.size_px(); }
     void begin_frame() override { surface_.begin_frame(); }
@@ -43,8 +43,8 @@ class SdlDisplay : public Display {
 
 }  // namespace
 
-std::unique_ptr<Display> make_sdl_display(const std::string& title, PixelSize size) {
-    return std::make_unique<SdlDisplay>(title, size);
+std::unique_ptr<Display> make_sdl_display(const std::string& title, PixelSize size, WindowPixels pixels) {
+    return std::make_unique<SdlDisplay>(title, size, pixels);
 }
 
 }  // namespace touchstone

@@ -89,18 +89,28 @@ bool SdlWindow::swap() {
     return SDL_GetError()[0] == '\0';
 }
 
+SdlSurface::SdlSurface(const std::string& title, SDL_Rect place, Uint32 flags, WindowPixels pixels)
+    : window_(title, place, flags), size_(window_.drawable_size()) {
+    if (pixels == WindowPixels::readable) picture_.emplace(size_);
+}
+
 void SdlSurface::begin_frame() {
     const PixelSize size = window_.drawable_size();
-    if (size != picture_.size_px() && size.width_px > 0 && size.height_px > 0) picture_ = GlFramebuffer(size);
-    picture_.bind();
+    if (size != size_ && size.width_px > 0 && size.height_px > 0) {
+        size_ = size;
+        if (picture_) picture_.emplace(size);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, picture_ ? picture_->id() : 0);
+    glViewport(0, 0, size_.width_px, size_.height_px);
 }
 
 void SdlSurface::present() {
-    const PixelSize size = picture_.size_px();
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.id());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, size.width_px, size.height_px, 0, 0, size.width_px, size.height_px,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    if (picture_) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_->id());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        glBlitFramebuffer(0, 0, size_.width_px, size_.height_px, 0, 0, size_.width_px, size_.height_px,
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
     failed_swaps_ = window_.swap() ? 0 : failed_swaps_ + 1;
 }
 

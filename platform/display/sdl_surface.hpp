@@ -6,6 +6,7 @@
 #include <string>
 
 #include "platform/display/gl_framebuffer.hpp"
+#include "platform/display/sdl_display.hpp"
 #include "platform/system/error.hpp"
 
 namespace touchstone {
@@ -42,26 +43,27 @@ class SdlWindow {
     SDL_GLContext context_ = nullptr;
 };
 
-/// What a window shows: drawn into a picture of its own and then copied, as a window cannot be read after a
-/// swap.
+/// What a window shows. A window cannot be read after a swap: where it is to be read, it is drawn into a
+/// picture of its own and then copied, which costs a software GL half as much again.
 class SdlSurface {
   public:
-    SdlSurface(const std::string& title, SDL_Rect place, Uint32 flags)
-        : window_(title, place, flags), picture_(window_.drawable_size()) {}
+    SdlSurface(const std::string& title, SDL_Rect place, Uint32 flags, WindowPixels pixels);
 
     SDL_Window* window() const { return window_.handle(); }
-    PixelSize size_px() const { return picture_.size_px(); }
+    PixelSize size_px() const { return size_; }
     /// Takes over the window's size.
     void begin_frame();
     void present();
-    Picture read() const { return picture_.read(); }
+    /// Empty where nothing is kept.
+    Picture read() const { return picture_ ? picture_->read() : Picture(); }
     /// As Display::is_lost.
     bool is_lost() const;
 
   private:
     SdlWindow window_;
-    GlFramebuffer picture_;
-    int failed_swaps_ = 0;  ///< one after the other
+    PixelSize size_;
+    std::optional<GlFramebuffer> picture_;  ///< where it is to be read
+    int failed_swaps_ = 0;                  ///< one after the other
 };
 
 /// What the user asked for by keys and by closing the window.

@@ -57,6 +57,26 @@ TEST_F(OneOutput, AWindowShowsThePictureAlsoWhenResized) {
     EXPECT_FALSE(display->is_lost());
 }
 
+TEST_F(OneOutput, AWindowThatNobodyReadsShowsTheSame) {
+    std::vector<std::uint8_t> seen[2];
+    for (const WindowPixels pixels : {WindowPixels::shown_only, WindowPixels::readable}) {
+        const auto display = make_sdl_display("test", {320, 200}, pixels);
+        const auto look = [&] {
+            (void)display->should_close();
+            show_four_fields(*display);
+            const auto [x, y, width, height] = view_->place(window_of_sdl());
+            return view_->picture(x, y, width, height).rgba;
+        };
+        std::vector<std::uint8_t>& last = seen[pixels == WindowPixels::readable];
+        EXPECT_TRUE(comes_true([&] {
+            last = look();
+            return last.front() != 0 && last == look();
+        }));
+        EXPECT_EQ(display->read_pixels().rgba.empty(), pixels == WindowPixels::shown_only);
+    }
+    EXPECT_EQ(seen[0], seen[1]);
+}
+
 TEST_F(OneOutput, AWindowIsClosedByItsFrame) {
     const auto display = make_sdl_display("test", {320, 200});
     show_four_fields(*display);
