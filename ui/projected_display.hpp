@@ -33,6 +33,8 @@ class ProjectedDisplay : public Display {
     /// What the projector throws.
     Picture read_pixels() override;
     bool should_close() override;
+    std::optional<char> take_key() override { return projector_.take_key(); }
+    bool is_lost() const override { return projector_.is_lost(); }
 
   private:
     struct Parts;

@@ -1,6 +1,7 @@
 #include "platform/display/sdl_outputs.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "platform/display/connectors.hpp"
 #include "platform/display/sdl_surface.hpp"
@@ -38,6 +39,8 @@ std::vector<Output> sdl_outputs() {
 }
 
 std::vector<Output> list_outputs() {
+    // Without a desktop SDL would take the card for itself.
+    if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return outputs_of(list_connectors());
     try {
         const SdlVideo video;
         return sdl_outputs();

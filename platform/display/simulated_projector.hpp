@@ -23,6 +23,7 @@ class SimulatedProjector : public Display {
     void present() override;
     Picture read_pixels() override { return display_->read_pixels(); }
     bool should_close() override { return display_->should_close(); }
+    std::optional<char> take_key() override { return display_->take_key(); }
     bool is_lost() const override { return display_->is_lost(); }
 
     /// What a person is to touch, pixels with centres at whole numbers; told with the next picture.
