@@ -165,7 +165,9 @@ class Calibration {
 
     CalibrationResult ask_for_touches() {
         const PixelSize size = display_->size_px();
-        ProjectorCrosses crosses(size.width_px, size.height_px, area_g());
+        const Intrinsics& k = frame_->intrinsics;
+        ProjectorCrosses crosses(size.width_px, size.height_px, area_g(),
+                                 standing_out(points_of(*pipeline_->background(), k), k.width_px, area_g()));
         while (const auto cross = crosses.cross_px()) {
             if (simulated_) simulated_->set_aim(std::array{cross->x(), cross->y()});
             screen_.show_cross(

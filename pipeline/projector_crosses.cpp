@@ -1,7 +1,11 @@
 #include "pipeline/projector_crosses.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
 
 #include "pipeline/homography.hpp"
 
@@ -31,12 +35,66 @@ constexpr std::array<std::array<float, 2>, 8> later_places{{{0.1f, 0.12f},
                                                             {0.08f, 0.5f}}};
 constexpr std::size_t least_matches = 4;
 
+constexpr int look_px = 8;                // between places looked at, and around each
+constexpr float least_height_m = 0.012f;  // over or under the plane
+constexpr float even_m = 0.012f;          // so much may the height change around a place that is touched
+constexpr float apart_m = 0.1f;
+constexpr std::size_t most_places = 4;
+
+struct Place {
+    Eigen::Vector3f point_g_m;
+    float height_m;
+};
+
+/// Over the plane of the area; nothing where the surface around is not seen or too steep.
+std::optional<Place> even_place(std::span<const Eigen::Vector4f> points_g_m, int width_px, int x_px, int y_px,
+                                const InteractiveArea& area_g) {
+    const Eigen::Vector3f normal = area_g.axis_u_c_m.cross(area_g.axis_v_c_m).normalized();
+    const auto height_m = [&](int x, int y) {
+        const Eigen::Vector4f& point = points_g_m[static_cast<std::size_t>(y * width_px + x)];
+        return point.w() == 0.0f ? std::optional<float>() : normal.dot(point.head<3>() - area_g.origin_c_m);
+    };
+    const auto middle = height_m(x_px, y_px);
+    if (!middle) return std::nullopt;
+    for (const int dy : {-look_px, 0, look_px}) {
+        for (const int dx : {-look_px, 0, look_px}) {
+            const auto around = height_m(x_px + dx, y_px + dy);
+            if (!around || std::abs(*around - *middle) > even_m) return std::nullopt;
+        }
+    }
+    const Eigen::Vector3f point_g_m = points_g_m[static_cast<std::size_t>(y_px * width_px + x_px)].head<3>();
+    const Vector2f uv = area_uv(area_g, point_g_m);
+    const bool inside = uv.minCoeff() > 0.06f && uv.maxCoeff() < 0.94f;
+    return inside ? std::optional(Place{point_g_m, std::abs(*middle)}) : std::nullopt;
+}
+
 }  // namespace
 
+std::vector<Eigen::Vector3f> standing_out(std::span<const Eigen::Vector4f> points_g_m, int width_px,
+                                          const InteractiveArea& area_g) {
+    const int height_px = static_cast<int>(points_g_m.size()) / width_px;
+    std::vector<Place> places;
+    for (int y = look_px; y + look_px < height_px; y += look_px)
+        for (int x = look_px; x + look_px < width_px; x += look_px)
+            if (const auto place = even_place(points_g_m, width_px, x, y, area_g);
+                place && place->height_m > least_height_m)
+                places.push_back(*place);
+    std::ranges::sort(places, std::greater(), &Place::height_m);
+    std::vector<Eigen::Vector3f> chosen;
+    for (const Place& place : places) {
+        const bool apart = std::ranges::all_of(
+            chosen, [&](const Eigen::Vector3f& other) { return (place.point_g_m - other).norm() > apart_m; });
+        if (apart && chosen.size() < most_places) chosen.push_back(place.point_g_m);
+    }
+    return chosen;
+}
+
 ProjectorCrosses::ProjectorCrosses(int width_px, int height_px, const InteractiveArea& area_g,
+                                   std::vector<Eigen::Vector3f> standing_out_g_m,
                                    const ProjectorCrossesConfig& config)
     : size_px_(static_cast<float>(width_px), static_cast<float>(height_px)),
       area_g_(area_g),
+      standing_out_g_m_(std::move(standing_out_g_m)),
       config_(config) {
     for (const auto& [x, y] : first_places) crosses_px_.push_back(size_px_.cwiseProduct(Vector2f(x, y)));
 }
@@ -83,8 +141,11 @@ void ProjectorCrosses::spread() {
     is_spread_ = true;
     crosses_px_.resize(static_cast<std::size_t>(next_));
     const Vector2f free_px = config_.margin * size_px_;
-    for (const auto& [u, v] : later_places) {
-        const Eigen::Vector3d h = *H * Eigen::Vector3d(static_cast<double>(u), static_cast<double>(v), 1.0);
+    std::vector<Vector2f> places_uv;
+    for (const auto& [u, v] : later_places) places_uv.emplace_back(u, v);
+    for (const Eigen::Vector3f& point : standing_out_g_m_) places_uv.push_back(area_uv(area_g_, point));
+    for (const Vector2f& uv : places_uv) {
+        const Eigen::Vector3d h = *H * uv.cast<double>().homogeneous();
         if (h.z() <= 0.0) continue;
         const Vector2f at_px = h.hnormalized().cast<float>();
         crosses_px_.push_back(at_px.cwiseMax(free_px).cwiseMin(size_px_ - free_px));

@@ -18,11 +18,19 @@ struct ProjectorCrossesConfig {
     float most_drag_m = 0.012f;  ///< a finger that moves more while it touches is no touch of a point
 };
 
+/// Places of the surface that stand out from the area's plane, at most four, apart from one another, where a
+/// finger can touch: touches there tell a pinhole from a homography. `points_g_m`: of each pixel of the
+/// camera, row-major, x, y, z, 1; all 0 where there is none.
+std::vector<Eigen::Vector3f> standing_out(std::span<const Eigen::Vector4f> points_g_m, int width_px,
+                                          const InteractiveArea& area_g);
+
 /// "Touch the crosses": marks in the projector's picture are shown one after the other and touched. The first
-/// lie about its middle; once four are touched, the rest go to the edges of the area, where touches are seen.
+/// lie about its middle; once four are touched, the rest go to the edges of the area, where touches are seen,
+/// and to what stands out of it.
 class ProjectorCrosses {
   public:
     ProjectorCrosses(int width_px, int height_px, const InteractiveArea& area_g,
+                     std::vector<Eigen::Vector3f> standing_out_g_m = {},
                      const ProjectorCrossesConfig& config = {});
 
     /// To be shown now; none once it is over.
@@ -40,6 +48,7 @@ class ProjectorCrosses {
 
     Eigen::Vector2f size_px_;
     InteractiveArea area_g_;
+    std::vector<Eigen::Vector3f> standing_out_g_m_;
     ProjectorCrossesConfig config_;
     bool is_spread_ = false;
     std::vector<Eigen::Vector2f> crosses_px_;

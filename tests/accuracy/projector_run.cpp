@@ -47,9 +47,10 @@ class TrueTable {
     }
 
     /// Between a point and where the light falls that a calibrated projector sends to `aimed_c_m`; none where
-    /// that is beyond the picture.
+    /// that is beyond the picture, or where something stands in the light of the point.
     std::optional<double> error_mm(const ProjectorModel& model, const Eigen::Vector3f& aimed_c_m,
                                    const Eigen::Vector3f& wanted_c_m) const {
+        const Eigen::Vector3f wanted_s = view_.to_scene(wanted_c_m);
         const auto pixel = project(model, aimed_c_m);
         if (!pixel || pixel->x() < 0.0F || pixel->y() < 0.0F ||
             pixel->x() > static_cast<float>(model.width_px - 1) ||
@@ -57,11 +58,18 @@ class TrueTable {
             return std::nullopt;
         const auto lit_s =
             sim::first_hit(scene_, projector_.position_s, projector_.ray_s(*pixel).normalized());
-        if (!lit_s) return std::nullopt;
-        return 1000.0 * static_cast<double>((*lit_s - view_.to_scene(wanted_c_m)).norm());
+        if (!lit_s || is_in_shadow(wanted_s)) return std::nullopt;
+        return 1000.0 * static_cast<double>((*lit_s - wanted_s).norm());
     }
 
   private:
+    bool is_in_shadow(const Eigen::Vector3f& point_s) const {
+        constexpr float grazing_m = 0.005F;
+        const Eigen::Vector3f way = point_s - projector_.position_s;
+        const auto first = sim::first_hit(scene_, projector_.position_s, way.normalized());
+        return first && (*first - projector_.position_s).norm() < way.norm() - grazing_m;
+    }
+
     SimulatorConfig config_;
     sim::TableView view_;
     sim::Scene scene_;

@@ -20,7 +20,7 @@ struct ProjectorScore {
     int points = 0;
     int frames = 0;  ///< of the camera that the calibration took
     /// On the true surface: between a point and where the light of its pixel falls, over all that the camera
-    /// sees.
+    /// sees and the projector can light.
     double mean_mm = 0.0, p95_mm = 0.0;
     /// Between where fingers truly touch and where the light falls that is drawn where they are said to.
     int touches = 0;

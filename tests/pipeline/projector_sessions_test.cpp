@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "pipeline/gray_code_session.hpp"
@@ -149,6 +150,42 @@ TEST(ProjectorCrosses, AFingerThatMovedDoesNotCount) {
     EXPECT_NE(crosses.words().find("moved"), std::string::npos);
 }
 
+/// A plane seen from a metre away, on it a plateau of 40 mm with steep sides and a hollow, and a hole in what
+/// is seen: the plateau's and the hollow's even middles are chosen.
+TEST(ProjectorCrosses, WhatStandsOutIsFoundWhereItIsEven) {
+    constexpr int view_px = 320;
+    InteractiveArea area;
+    area.origin_c_m = {-0.5f, -0.5f, 1.0f};
+    area.axis_u_c_m = {1.0f, 0.0f, 0.0f};
+    area.axis_v_c_m = {0.0f, 1.0f, 0.0f};
+    std::vector<Eigen::Vector4f> points;
+    for (int y = 0; y < view_px; ++y) {
+        for (int x = 0; x < view_px; ++x) {
+            const Eigen::Vector2f at =
+                Eigen::Vector2f(static_cast<float>(x), static_cast<float>(y)) / 320.0f -
+                Eigen::Vector2f(0.5f, 0.5f);
+            const bool on_plateau = (at - Eigen::Vector2f(0.2f, 0.1f)).cwiseAbs().maxCoeff() < 0.06f;
+            const float hollow = 0.03f * std::exp(-(at + Eigen::Vector2f(0.2f, 0.2f)).squaredNorm() / 0.01f);
+            const bool hole = at.x() < -0.3f && at.y() > 0.3f;
+            if (hole)
+                points.push_back(Eigen::Vector4f::Zero());
+            else
+                points.emplace_back(at.x(), at.y(), (on_plateau ? 0.96f : 1.0f) + hollow, 1.0f);
+        }
+    }
+    const std::vector<Eigen::Vector3f> found = standing_out(points, view_px, area);
+    ASSERT_GE(found.size(), 2U);
+    EXPECT_LT((found[0] - Eigen::Vector3f(0.2f, 0.1f, 0.96f)).cwiseAbs().maxCoeff(), 0.06f);
+    EXPECT_NEAR(found[0].z(), 0.96f, 1e-4f);
+    EXPECT_LT((found[1].head<2>() + Eigen::Vector2f(0.2f, 0.2f)).norm(), 0.05f) << found[1].transpose();
+
+    ProjectorCrosses crosses(1280, 800, middle_half(), {Eigen::Vector3f(0.5f, 0.3f, 2.9f)});
+    std::uint64_t time_us = 0;
+    while (const auto cross = crosses.cross_px())
+        tap(crosses, lit_m(*cross), lit_m(*cross), time_us += 1'000'000);
+    EXPECT_EQ(crosses.matches().size(), 13U) << "one more for what stands out";
+}
+
 /// A finger that is lost for a frame while it lifts seems to touch twice.
 TEST(ProjectorCrosses, ASecondTouchOfTheSameCrossIsNoneOfTheNext) {
     ProjectorCrosses crosses(1280, 800, middle_half());
@@ -160,7 +197,7 @@ TEST(ProjectorCrosses, ASecondTouchOfTheSameCrossIsNoneOfTheNext) {
 }
 
 TEST(ProjectorCrosses, WhatNobodyCanReachIsPassedOver) {
-    ProjectorCrosses crosses(1280, 800, middle_half(), {.patience_s = 5.0f});
+    ProjectorCrosses crosses(1280, 800, middle_half(), {}, {.patience_s = 5.0f});
     std::uint64_t time_us = 0;
     for (; time_us < 5'500'000; time_us += 33'000) crosses.take({}, RigidTransform::Identity(), time_us);
     EXPECT_EQ(crosses.shown(), 1);
