@@ -44,7 +44,7 @@ class SdlWindow {
 };
 
 /// What a window shows. A window cannot be read after a swap: where it is to be read, it is drawn into a
-/// picture of its own and then copied, which costs a software GL half as much again.
+/// picture of its own and then copied, which a software GL takes milliseconds for.
 class SdlSurface {
   public:
     SdlSurface(const std::string& title, SDL_Rect place, Uint32 flags, WindowPixels pixels);
