@@ -57,6 +57,16 @@ std::vector<Eigen::Vector4f> points_on_plane() {
     return points;
 }
 
+/// Between the middles of cells and where their points are lit.
+double rms_px(const std::vector<ProjectorMatch>& matches) {
+    double sum = 0.0;
+    for (const ProjectorMatch& match : matches) {
+        const Eigen::Vector2f at = lit_px(match.point_g_m.x() / 0.002f, match.point_g_m.y() / 0.002f);
+        sum += (at - match.pixel_px).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(matches.size()));
+}
+
 TEST(GrayCode, EveryCellHasItsOwnPatterns) {
     EXPECT_EQ(code.patterns(), 2 + 2 * (7 + 6));
     std::set<std::vector<bool>> words;
@@ -115,12 +125,7 @@ TEST(GrayCode, MiddlesOfCellsAreKnownBetterThanTheirSides) {
     const CellPicture cells = decode_cells(code, seen_pictures(), width_px, height_px);
     const auto matches = match_cells(code, cells, points_on_plane());
     EXPECT_GT(matches.size(), 2000U) << "of the 3000 that are seen";
-    double sum = 0.0;
-    for (const ProjectorMatch& match : matches) {
-        const Eigen::Vector2f at = lit_px(match.point_g_m.x() / 0.002f, match.point_g_m.y() / 0.002f);
-        sum += (at - match.pixel_px).squaredNorm();
-    }
-    EXPECT_LT(std::sqrt(sum / static_cast<double>(matches.size())), 0.5);
+    EXPECT_LT(rms_px(matches), 0.5);
 }
 
 /// Cells cut by an edge of the depth picture would be off by pixels.
@@ -144,12 +149,7 @@ TEST(GrayCode, HolesInTheDepthPictureDoNoHarm) {
         if (std::uniform_real_distribution<float>()(random) < 0.2f) point.setZero();
     const auto matches = match_cells(code, cells, points);
     EXPECT_GT(matches.size(), 1500U);
-    double sum = 0.0;
-    for (const ProjectorMatch& match : matches) {
-        const Eigen::Vector2f at = lit_px(match.point_g_m.x() / 0.002f, match.point_g_m.y() / 0.002f);
-        sum += (at - match.pixel_px).squaredNorm();
-    }
-    EXPECT_LT(std::sqrt(sum / static_cast<double>(matches.size())), 0.7);
+    EXPECT_LT(rms_px(matches), 0.7);
 }
 
 TEST(GrayCode, ADarkProjectorLightsNothing) {
