@@ -1,6 +1,6 @@
 touchstone_library(touchstone_projector_accuracy projector_run.cpp)
 target_link_libraries(touchstone_projector_accuracy
-    PRIVATE touchstone_app touchstone_simulator nlohmann_json::nlohmann_json fmt::fmt)
+    PRIVATE touchstone_app touchstone_simulator touchstone_image nlohmann_json::nlohmann_json fmt::fmt)
 
 add_executable(score_projector score_projector.cpp)
 target_link_libraries(score_projector PRIVATE touchstone_projector_accuracy touchstone_system CLI11::CLI11)

@@ -10,12 +10,15 @@
 #include <vector>
 
 #include "app/projector_file.hpp"
+#include "platform/image/png_file.hpp"
 #include "platform/openni2_drivers/simulator/projector.hpp"
 #include "platform/openni2_drivers/simulator/scene.hpp"
 #include "platform/openni2_drivers/simulator/simulator_config.hpp"
+#include "platform/openni2_drivers/simulator/simulator_source.hpp"
 #include "platform/openni2_drivers/simulator/static_layer.hpp"
 #include "platform/system/error.hpp"
 #include "platform/system/percentile.hpp"
+#include "platform/system/projected_picture.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -133,6 +136,29 @@ std::vector<double> touch_errors_mm(const ProjectorRun& run, const TrueTable& ta
     return errors;
 }
 
+/// Shows a scene on the table without hands, as the projector throws it and as the colour camera sees it.
+void save_pictures(const ProjectorRun& run, const std::filesystem::path& config_file,
+                   const std::filesystem::path& shots) {
+    constexpr int frames = 60;
+    const std::string sensor =
+        fmt::format("sim:{}?projector=1&seed={}&hands=0&ambient=0.5", run.scene, run.seed);
+    check(test::run_program({run.program, "run", "--config", config_file.string(), "--sensor", sensor,
+                             "--pace", "step", "--frames", std::to_string(frames), "--scene", "photos",
+                             "--shots", shots.string()}));
+    const Image8 thrown = read_png_8(shots / fmt::format("frame-{:06}.png", frames - 1));
+    ProjectedPictureWriter writer(projected_picture_name(), thrown.width_px, thrown.height_px);
+    writer.show(thrown.pixels, thrown.width_px, thrown.height_px);
+    const std::unique_ptr<FrameSource> table = open_simulator(sensor.substr(4));
+    table->enable_color(true);
+    SourceFrame seen;
+    table->next(seen);
+    const std::filesystem::path folder = run.pictures;
+    std::filesystem::create_directories(folder);
+    const std::string name = fmt::format("{}-{}-{}", run.scene, run.seed, run.method);
+    write_png(folder / (name + "-thrown.png"), thrown);
+    write_png(folder / (name + "-seen.png"), Image8{640, 480, 3, seen.color_rgb});
+}
+
 /// "calibrated in 312 frames" of the log.
 int frames_said(const std::string& log) {
     constexpr std::string_view words = "calibrated in ";
@@ -168,6 +194,7 @@ ProjectorScore run_projector(const ProjectorRun& run) {
         if (const auto error = table.error_mm(model, point, point)) errors.push_back(*error);
     score.mean_mm = mean_of(errors);
     score.p95_mm = percentile(errors, 95.0);
+    if (!run.pictures.empty()) save_pictures(run, config_file, folder / "shots");
     if (run.touch_frames == 0) return score;
     const auto touches = touch_errors_mm(run, table, model, folder / "truth.json", config_file);
     score.touches = static_cast<int>(touches.size());

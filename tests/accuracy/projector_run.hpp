@@ -11,6 +11,7 @@ struct ProjectorRun {
     std::string method = "graycode";
     int seed = 1;
     int touch_frames = 900;  ///< of the run with fingers; 0: none
+    std::string pictures;    ///< folder for what the projector throws and what the camera sees; empty: none
     std::string keys;        ///< more of the simulator's, for the calibration: "&ambient=0.6"
 };
 

@@ -29,6 +29,7 @@ int score(int argc, char** argv) {
     app.add_option("--method", methods, "graycode, touch");
     app.add_option("--seed", run.seed, "up to 50 for tuning, above 100 for scores");
     app.add_option("--touch-frames", run.touch_frames, "of the run with fingers, 0: none");
+    app.add_option("--pictures", run.pictures, "folder for what is thrown and what the camera sees of it");
     app.add_option("--keys", run.keys, "more keys of the simulator for the calibration: &ambient=0.6");
     CLI11_PARSE(app, argc, argv);
     std::printf(

@@ -21,5 +21,20 @@ TEST(ScoredProjector, StripesOnARidge) {
     EXPECT_LT(score.touch_mean_mm, 6.0);
 }
 
+/// A hand comes in at the sixth second, puts a book down and goes, in a bright room: its patterns are
+/// repeated.
+TEST(ScoredProjector, AHandThatComesInCostsTimeAndNothingElse) {
+    ProjectorRun run;
+    run.program = TOUCHSTONE_PROGRAM;
+    run.seed = 6;
+    run.touch_frames = 0;
+    run.keys = "&object=book&put_s=6&ambient=0.6";
+    const ProjectorScore score = run_projector(run);
+    EXPECT_LT(score.rms_px, 1.5) << score.verdict;
+    EXPECT_GT(score.frames, 300);
+    EXPECT_LT(score.frames, 600);
+    EXPECT_LT(score.mean_mm, 2.0);
+}
+
 }  // namespace
 }  // namespace touchstone
