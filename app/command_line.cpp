@@ -1,50 +1,15 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
-#include <set>
+#include <sstream>
 
+#include "app/command_arguments.hpp"
 #include "platform/system/error.hpp"
 #include "ui/scene_list.hpp"
 
 namespace touchstone {
 
 namespace {
-
-/// What the sub-commands have in common.
-struct SourceArguments {
-    std::string sensor, pace, config_file;
-    std::optional<int> frames, voxels;
-    std::optional<float> side_m;
-};
-
-struct RunArguments {
-    SourceArguments source;
-    std::string display, scene, events, maps, shots;
-    bool print_config = false;
-};
-
-/// Files that scan and track write.
-struct ModelArguments {
-    SourceArguments source;
-    std::string scan, mesh, trajectory;
-};
-
-struct RecordArguments {
-    SourceArguments source;
-    std::string oni;
-    bool color = false;
-};
-
-struct CalibrateArguments {
-    SourceArguments source;
-    std::string method, display, json;
-};
-
-struct BenchArguments {
-    SourceArguments source;
-    std::string json, display;
-    bool moving = false;
-};
 
 const CLI::Validator not_empty(
     [](const std::string& text) { return text.empty() ? std::string("needs a name") : std::string(); }, "");
@@ -68,15 +33,6 @@ const CLI::Validator volume_side(
                    : text + " is not a number of metres from 0.2 to 10";
     },
     "");
-
-std::vector<std::string> display_words() { return {"headless", "window", "projector"}; }
-
-/// Nothing for the empty word.
-std::optional<DisplayKind> to_display(const std::string& word) {
-    if (word.empty()) return std::nullopt;
-    if (word == "headless") return DisplayKind::headless;
-    return word == "window" ? DisplayKind::window : DisplayKind::projector;
-}
 
 CLI::Option* add_camera_options(CLI::App& app, SourceArguments& arguments) {
     CLI::Option* sensor =
@@ -185,104 +141,6 @@ CLI::App* add_check(CLI::App& app, CheckOptions& options) {
     check->add_flag("--json", options.json, "as JSON");
     check->add_option("--config", options.config_file, "TOML file to check too");
     return check;
-}
-
-std::optional<std::string> if_given(const std::string& text) {
-    return text.empty() ? std::nullopt : std::optional(text);
-}
-
-Config to_config(const SourceArguments& arguments) {
-    Config config;
-    if (!arguments.config_file.empty()) load_config(arguments.config_file, config);
-    if (!arguments.sensor.empty()) config.sensor_uri = arguments.sensor;
-    BackgroundConfig& background = config.interaction.background;
-    if (arguments.voxels) background.volume.size_vox = *arguments.voxels;
-    if (arguments.side_m) {
-        background.volume.side_m = *arguments.side_m;
-        background.fit_side = false;
-    }
-    return config;
-}
-
-std::optional<Pace> to_pace(const SourceArguments& arguments) {
-    if (arguments.pace.empty()) return std::nullopt;
-    return arguments.pace == "step" ? Pace::step : Pace::live;
-}
-
-CalibrateOptions to_calibrate_options(const CalibrateArguments& arguments) {
-    CalibrateOptions options;
-    options.config = to_config(arguments.source);
-    options.pace = to_pace(arguments.source);
-    options.display = to_display(arguments.display);
-    if (arguments.method == "touch") options.method = CalibrationMethod::touch;
-    options.json_file = if_given(arguments.json);
-    return options;
-}
-
-RunOptions to_run_options(const RunArguments& arguments) {
-    RunOptions options;
-    options.config = to_config(arguments.source);
-    options.pace = to_pace(arguments.source);
-    options.frames = arguments.source.frames;
-    if (!arguments.scene.empty()) options.config.display.scene = arguments.scene;
-    options.display = to_display(arguments.display);
-    options.events_file = if_given(arguments.events);
-    options.maps_dir = if_given(arguments.maps);
-    options.shots_dir = if_given(arguments.shots);
-    return options;
-}
-
-/// Results written over each other would be lost.
-void check_files_differ(const ModelArguments& arguments) {
-    std::set<std::string> files;
-    for (const std::string& file : {arguments.scan, arguments.mesh, arguments.trajectory}) {
-        if (!file.empty() && !files.insert(file).second)
-            throw Error(ExitStatus::usage,
-                        file + " is named for two results; name a file for each; see touchstone --help");
-    }
-}
-
-ScanOptions to_scan_options(const ModelArguments& arguments) {
-    check_files_differ(arguments);
-    ScanOptions options;
-    options.config = to_config(arguments.source);
-    options.pace = to_pace(arguments.source);
-    options.frames = arguments.source.frames;
-    options.scan_file = arguments.scan;
-    options.mesh_file = if_given(arguments.mesh);
-    return options;
-}
-
-TrackOptions to_track_options(const ModelArguments& arguments) {
-    check_files_differ(arguments);
-    TrackOptions options;
-    options.config = to_config(arguments.source);
-    options.pace = to_pace(arguments.source);
-    options.frames = arguments.source.frames;
-    options.trajectory_file = if_given(arguments.trajectory);
-    options.mesh_file = if_given(arguments.mesh);
-    options.scan_file = if_given(arguments.scan);
-    options.voxels = options.config.interaction.background.volume.size_vox;
-    if (arguments.source.side_m) options.side_m = *arguments.source.side_m;
-    return options;
-}
-
-RecordOptions to_record_options(const RecordArguments& arguments) {
-    return {to_config(arguments.source), to_pace(arguments.source), arguments.source.frames, arguments.color,
-            arguments.oni};
-}
-
-BenchOptions to_bench_options(const BenchArguments& arguments) {
-    BenchOptions options;
-    options.config = to_config(arguments.source);
-    options.pace = to_pace(arguments.source).value_or(Pace::step);
-    options.moving = arguments.moving;
-    options.frames = arguments.source.frames.value_or(options.frames);
-    options.voxels = options.config.interaction.background.volume.size_vox;
-    if (arguments.source.side_m) options.side_m = *arguments.source.side_m;
-    options.json_file = if_given(arguments.json);
-    options.display = to_display(arguments.display);
-    return options;
 }
 
 /// Options of `run` may stand without it; before another sub-command they would be lost.
