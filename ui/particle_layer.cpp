@@ -11,7 +11,7 @@ namespace touchstone {
 
 namespace {
 
-constexpr int shadow_step_px = 2;
+constexpr int shadow_step_px = 4;
 constexpr float shadow_radii = 1.7f;  // of a sphere: soft
 constexpr float darkest = 0.5f;
 constexpr int ids_per_color = 7;  // poured together, in one colour
