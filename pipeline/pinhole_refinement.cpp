@@ -101,11 +101,11 @@ struct Residuals {
 
 Pinhole refine_pinhole(const Pinhole& start, std::span<const PinholeMatch> matches,
                        const PinholePriors& priors) {
-    constexpr int most_evaluations = 60;
+    constexpr Index most_evaluations = 60;
     const Residuals residuals{start, matches, priors};
     Eigen::NumericalDiff<Residuals> differentiated(residuals);
     Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals>> solver(differentiated);
-    solver.parameters.maxfev = most_evaluations * static_cast<int>(unknowns);
+    solver.parameters.maxfev = most_evaluations * unknowns;
     solver.parameters.xtol = solver.parameters.ftol = 1e-7;
     VectorXd x = VectorXd::Zero(unknowns);
     solver.minimize(x);

@@ -142,6 +142,7 @@ void ProjectorCrosses::spread() {
     crosses_px_.resize(static_cast<std::size_t>(next_));
     const Vector2f free_px = config_.margin * size_px_;
     std::vector<Vector2f> places_uv;
+    places_uv.reserve(later_places.size() + standing_out_g_m_.size());
     for (const auto& [u, v] : later_places) places_uv.emplace_back(u, v);
     for (const Eigen::Vector3f& point : standing_out_g_m_) places_uv.push_back(area_uv(area_g_, point));
     for (const Vector2f& uv : places_uv) {

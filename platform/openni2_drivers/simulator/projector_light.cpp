@@ -13,6 +13,7 @@ constexpr float cell_px = 4.0F;          // of the picture in which shadows are 
 constexpr float shadow_bias_m = 0.012F;  // what lies so much deeper in a cell is still lit
 constexpr float footprint_px = 0.9F;     // half a camera's pixel in the picture, about
 constexpr int taps = 3;                  // across and down a camera's pixel
+constexpr float step_px = 2.0F * footprint_px / static_cast<float>(taps);
 constexpr float noise_levels = 2.0F;
 constexpr float white = 0.75F;  // of full room light, at a metre from the projector
 
@@ -43,8 +44,8 @@ void ProjectorLight::find_places(const std::vector<float>& depth_m, const TableV
     for (std::size_t i = 0; i < depth_m.size(); ++i) {
         if (!std::isfinite(depth_m[i]) || depth_m[i] <= 0.0F) continue;
         const auto pixel = static_cast<int>(i);
-        const Vec3 ray_c =
-            view.ray_c(static_cast<float>(pixel % k.width_px), static_cast<float>(pixel / k.width_px));
+        const int x = pixel % k.width_px, y = pixel / k.width_px;
+        const Vec3 ray_c = view.ray_c(static_cast<float>(x), static_cast<float>(y));
         const Vec3 point_s = view.to_scene(ray_c * depth_m[i]);
         const float along_m = projector_.depth_m(point_s);
         if (along_m < 0.05F) continue;
@@ -82,9 +83,9 @@ Vec3 ProjectorLight::thrown_light(const LitPlace& place, const ProjectedPicture&
     Vec3 sum = Vec3::Zero();
     for (int j = 0; j < taps; ++j) {
         for (int i = 0; i < taps; ++i) {
-            const float step = 2.0F * footprint_px / static_cast<float>(taps);
-            const float x_px = place.x_px + step * static_cast<float>(i - taps / 2);
-            const float y_px = place.y_px + step * static_cast<float>(j - taps / 2);
+            const int across = i - taps / 2, down = j - taps / 2;
+            const float x_px = place.x_px + step_px * static_cast<float>(across);
+            const float y_px = place.y_px + step_px * static_cast<float>(down);
             const int x = std::clamp(static_cast<int>((x_px + 0.5F) * stretch_x), 0, picture.width_px - 1);
             const int y = std::clamp(static_cast<int>((y_px + 0.5F) * stretch_y), 0, picture.height_px - 1);
             const std::uint8_t* rgba = &picture.rgba[4 * static_cast<std::size_t>(y * picture.width_px + x)];
