@@ -9,6 +9,7 @@
 #include "app/frame_reading.hpp"
 #include "app/progress_line.hpp"
 #include "app/projector_file.hpp"
+#include "app/projector_mapping.hpp"
 #include "pipeline/gray_code_session.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "pipeline/projector_crosses.hpp"
@@ -25,20 +26,9 @@ constexpr int most_foreground_px = 300;
 constexpr int cells_across = 160;
 constexpr ProjectorFitConfig touch_fit{.sigma_px = 3.0f, .most_rms_px = 8.0f};
 
-/// The background as the camera sees it: x, y, z of the scan's frame, 1; 0 where there is none.
-std::vector<Eigen::Vector4f> points_of(const BackgroundModel& background, const Intrinsics& k) {
-    const std::vector<float> depth_m =
-        without_padding(background.prediction().depth_m, background.prediction().shape);
-    const RigidTransform& T_g_c = background.T_g_c();
-    std::vector<Eigen::Vector4f> points_g_m(depth_m.size(), Eigen::Vector4f::Zero());
-    for (std::size_t i = 0; i < depth_m.size(); ++i) {
-        if (depth_m[i] <= 0.0f) continue;
-        const auto pixel = static_cast<int>(i);
-        const Eigen::Vector3f point_c_m = back_project(k, pixel % k.width_px, pixel / k.width_px, depth_m[i]);
-        const Eigen::Vector3f point_g_m = T_g_c * point_c_m;
-        points_g_m[i] = {point_g_m.x(), point_g_m.y(), point_g_m.z(), 1.0f};
-    }
-    return points_g_m;
+/// Of each pixel of the camera: x, y, z of the scan's frame, 1; 0 where there is none.
+std::vector<Eigen::Vector4f> points_of(const BackgroundModel& background, const Intrinsics& intrinsics) {
+    return make_surface_grid(background.prediction(), intrinsics, background.T_g_c(), 1).points_g_m;
 }
 
 /// What became of the stripes, where the fit alone does not tell.

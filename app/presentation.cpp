@@ -71,6 +71,7 @@ void Presentation::open() {
         projected_ = std::make_unique<ProjectedDisplay>(*display_, ProjectedDisplayConfig{spares_hands_});
     config_.projected = throws_on_table_;
     projector_ = nullptr;
+    is_fitted_ = false;
     Display& shown = projected_ ? static_cast<Display&>(*projected_) : *display_;
     presenter_ = std::make_unique<TablePresenter>(shown, scene_, config_);
 }
@@ -116,6 +117,8 @@ void Presentation::draw(const TableFrame& frame) {
 
 const TableFrame& Presentation::fit_to_table(const TableFrame& frame) {
     if (!projected_ || !frame.projector || !frame.has_area) return frame;
+    if (is_fitted_ && frame.index == fitted_.index && frame.timestamp_us == fitted_.timestamp_us)
+        return fitted_;
     const bool is_new_view = !is_view_of(from_above_, frame);
     if (is_new_view) from_above_ = make_view_from_above(frame.area, frame.T_g_c);
     if (is_new_view || frame.projector != projector_ || frame.surface != surface_)
@@ -124,6 +127,7 @@ const TableFrame& Presentation::fit_to_table(const TableFrame& frame) {
     surface_ = frame.surface;
     projected_->see_hands(frame);
     fitted_ = seen_from_above(frame, from_above_);
+    is_fitted_ = true;
     return fitted_;
 }
 

@@ -59,7 +59,8 @@ class Presentation {
     std::unique_ptr<Display> display_;
     std::unique_ptr<ProjectedDisplay> projected_;  ///< over display_, where it throws on the table
     ViewFromAbove from_above_;
-    TableFrame fitted_;
+    TableFrame fitted_;  ///< the last frame, seen from above
+    bool is_fitted_ = false;
     std::shared_ptr<const ProjectorModel> projector_;  ///< of the last frame, with its surface
     std::shared_ptr<const SurfaceGrid> surface_;
     std::unique_ptr<TablePresenter> presenter_;

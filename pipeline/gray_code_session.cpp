@@ -18,9 +18,8 @@ std::vector<float> gray_of(std::span<const std::uint8_t> rgb) {
 }  // namespace
 
 std::optional<int> GrayCodeSession::pattern() const {
-    const auto next = static_cast<int>(seen_.size());
-    if (next >= code_.patterns()) return std::nullopt;
-    return next;
+    if (is_over_) return std::nullopt;
+    return std::min(static_cast<int>(seen_.size()), code_.patterns() - 1);
 }
 
 void GrayCodeSession::take(std::span<const std::uint8_t> rgb, bool disturbed) {
@@ -32,6 +31,10 @@ void GrayCodeSession::take(std::span<const std::uint8_t> rgb, bool disturbed) {
     }
     if (quiet_ > 0) {
         --quiet_;
+        return;
+    }
+    if (static_cast<int>(seen_.size()) == code_.patterns()) {
+        is_over_ = true;
         return;
     }
     if (wait_ > 0) {

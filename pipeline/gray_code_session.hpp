@@ -46,6 +46,7 @@ class GrayCodeSession {
     std::vector<std::vector<float>> seen_;
     std::vector<float> sum_;
     int frames_ = 0, wait_ = 0, quiet_ = 0, disturbances_ = 0;
+    bool is_over_ = false;  ///< a frame after the last pattern was undisturbed, too
 };
 
 }  // namespace touchstone

@@ -81,16 +81,16 @@ Rectangle largest_rectangle(const std::vector<bool>& set, int width, int height)
 }
 
 /// A grid over the plane, axes u and v, with the cells that the scanned surface fills.
-struct SurfaceGrid {
+struct FilledCells {
     Eigen::Vector3f origin_c_m, u, v;
     float u0_m = 0.f, v0_m = 0.f;
     int width = 0, height = 0;
     std::vector<bool> filled;
 };
 
-SurfaceGrid fill_grid(const std::vector<Eigen::Vector3f>& points, const Plane& plane,
+FilledCells fill_grid(const std::vector<Eigen::Vector3f>& points, const Plane& plane,
                       const InteractiveAreaConfig& config) {
-    SurfaceGrid grid;
+    FilledCells grid;
     const Eigen::Vector3f n = plane.normal_c;
     grid.origin_c_m = n * plane.offset_m;
     grid.u = (Eigen::Vector3f::UnitX() - n * n.x()).normalized();
@@ -118,7 +118,7 @@ SurfaceGrid fill_grid(const std::vector<Eigen::Vector3f>& points, const Plane& p
 
 /// Cells enclosed by filled ones on all four sides are filled too: shadows of things that stand on the
 /// surface.
-void close_shadows(SurfaceGrid& grid) {
+void close_shadows(FilledCells& grid) {
     const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * grid.width + x); };
     std::vector<bool> left(grid.filled.size()), right(left), up(left), down(left);
     for (int y = 0; y < grid.height; ++y) {
@@ -166,7 +166,7 @@ std::optional<InteractiveArea> fit_interactive_area(const SurfacePrediction& bac
     const auto plane =
         dominant_plane(surface_points_c_m(background, intrinsics, 8), config.plane_tolerance_m);
     if (!plane) return std::nullopt;
-    SurfaceGrid grid = fill_grid(surface_points_c_m(background, intrinsics, 2), *plane, config);
+    FilledCells grid = fill_grid(surface_points_c_m(background, intrinsics, 2), *plane, config);
     close_shadows(grid);
     const Rectangle cells = largest_rectangle(grid.filled, grid.width, grid.height);
     const float width_m = static_cast<float>(cells.x1 - cells.x0) * config.cell_m - 2.0f * config.margin_m;

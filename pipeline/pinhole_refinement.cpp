@@ -6,6 +6,8 @@
 #include <unsupported/Eigen/NumericalDiff>
 #include <vector>
 
+#include "pipeline/projector_model.hpp"
+
 namespace touchstone {
 namespace {
 
@@ -28,12 +30,7 @@ Vector2d project(const Pinhole& p, const Vector3d& point_m) {
     const Vector3d at = p.T_p_g * point_m;
     if (at.z() < 0.01) return Vector2d::Constant(behind_px);
     const Vector2d xy = at.head<2>() / at.z();
-    const auto& [k1, k2, p1, p2] = p.distortion;
-    const double r2 = xy.squaredNorm(), product = xy.x() * xy.y();
-    const double radial = 1.0 + r2 * (k1 + r2 * k2);
-    const Vector2d bent(radial * xy.x() + 2.0 * p1 * product + p2 * (r2 + 2.0 * xy.x() * xy.x()),
-                        radial * xy.y() + p1 * (r2 + 2.0 * xy.y() * xy.y()) + 2.0 * p2 * product);
-    return p.focal_px.cwiseProduct(bent) + p.center_px;
+    return p.focal_px.cwiseProduct(bent(p.distortion, xy)) + p.center_px;
 }
 
 /// Steps from a start: focal length and its ratio as logarithms, the turn as an angle-axis vector on its

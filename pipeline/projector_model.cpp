@@ -1,6 +1,5 @@
 #include "pipeline/projector_model.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
 namespace touchstone {
@@ -10,21 +9,7 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr float least_depth_m = 0.05f;
-
-/// Brown's lens: where an ideal place of the picture plane is seen.
-Vector2f distorted(const std::array<float, 4>& d, const Vector2f& p) {
-    const float r2 = p.squaredNorm(), xy = p.x() * p.y();
-    const float radial = 1.f + r2 * (d[0] + r2 * d[1]);
-    return {radial * p.x() + 2.f * d[2] * xy + d[3] * (r2 + 2.f * p.x() * p.x()),
-            radial * p.y() + d[2] * (r2 + 2.f * p.y() * p.y()) + 2.f * d[3] * xy};
-}
-
-/// Its inverse, by fixed-point steps: lenses of projectors bend little.
-Vector2f undistorted(const std::array<float, 4>& d, const Vector2f& seen) {
-    Vector2f p = seen;
-    for (int step = 0; step < 20; ++step) p += seen - distorted(d, p);
-    return p;
-}
+constexpr float no_edge = 1e30f;
 
 std::optional<Vector2f> project_plane(const ProjectorModel& model, const Vector3f& point_g_m) {
     const Vector2f uv = area_uv(model.plane_g, point_g_m);
@@ -37,12 +22,22 @@ std::optional<Vector2f> project_plane(const ProjectorModel& model, const Vector3
 
 }  // namespace
 
+float lens_edge(const std::array<float, 4>& distortion) {
+    const double a = 5.0 * double{distortion[1]}, b = 3.0 * double{distortion[0]};
+    const double root = b * b - 4.0 * a;
+    if (root < 0.0) return no_edge;
+    // The smaller positive solution of a s^2 + b s + 1 = 0, s = r^2, in a form that stands a = 0.
+    const double below = -b + std::sqrt(root);
+    return below > 1e-9 ? static_cast<float>(std::sqrt(2.0 / below)) : no_edge;
+}
+
 std::optional<Vector2f> project(const ProjectorModel& model, const Vector3f& point_g_m) {
     if (model.kind == ProjectorModelKind::homography) return project_plane(model, point_g_m);
     const Vector3f p = model.T_p_g * point_g_m;
     if (p.z() < least_depth_m) return std::nullopt;
-    return Vector2f(model.focal_px.cwiseProduct(distorted(model.distortion, p.head<2>() / p.z())) +
-                    model.center_px);
+    const Vector2f ideal = p.head<2>() / p.z();
+    if (ideal.norm() > lens_edge(model.distortion)) return std::nullopt;
+    return Vector2f(model.focal_px.cwiseProduct(bent(model.distortion, ideal)) + model.center_px);
 }
 
 ProjectorModel in_other_frame(const ProjectorModel& model, const RigidTransform& T_new_old) {
@@ -50,27 +45,6 @@ ProjectorModel in_other_frame(const ProjectorModel& model, const RigidTransform&
     moved.T_p_g = model.T_p_g * T_new_old.inverse(Eigen::Isometry);
     moved.plane_g = transformed(T_new_old, model.plane_g);
     return moved;
-}
-
-std::optional<Vector3f> lit_point_g_m(const ProjectorModel& model, const Vector2f& pixel_px,
-                                      const InteractiveArea& area_g) {
-    if (model.kind == ProjectorModelKind::homography) {
-        const Vector3f uv = model.H_px_uv.inverse() * Vector3f(pixel_px.x(), pixel_px.y(), 1.f);
-        if (std::abs(uv.z()) < 1e-9f) return std::nullopt;
-        const InteractiveArea& plane = model.plane_g;
-        return Vector3f(plane.origin_c_m + uv.x() / uv.z() * plane.axis_u_c_m +
-                        uv.y() / uv.z() * plane.axis_v_c_m);
-    }
-    const Vector2f seen = (pixel_px - model.center_px).cwiseQuotient(model.focal_px);
-    const Vector2f ideal = undistorted(model.distortion, seen);
-    const RigidTransform T_g_p = model.T_p_g.inverse(Eigen::Isometry);
-    const Vector3f ray_g = T_g_p.linear() * Vector3f(ideal.x(), ideal.y(), 1.f);
-    const Vector3f normal_g = area_g.axis_u_c_m.cross(area_g.axis_v_c_m);
-    const float towards = normal_g.dot(ray_g);
-    if (std::abs(towards) < 1e-9f) return std::nullopt;
-    const float depth_m = normal_g.dot(area_g.origin_c_m - T_g_p.translation()) / towards;
-    if (depth_m < least_depth_m) return std::nullopt;
-    return Vector3f(T_g_p.translation() + depth_m * ray_g);
 }
 
 }  // namespace touchstone

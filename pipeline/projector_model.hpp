@@ -28,15 +28,26 @@ struct ProjectorModel {
     Eigen::Matrix3f H_px_uv = Eigen::Matrix3f::Identity();
 };
 
-/// None for a point behind the projector, or on the line of the homography that goes to infinity. The pixel
-/// may lie beyond the picture.
+/// Brown's lens: where an ideal place of the plane at depth 1 is seen.
+template <class Scalar>
+Eigen::Matrix<Scalar, 2, 1> bent(const std::array<Scalar, 4>& distortion,
+                                 const Eigen::Matrix<Scalar, 2, 1>& p) {
+    const auto& [k1, k2, p1, p2] = distortion;
+    const Scalar r2 = p.squaredNorm(), xy = p.x() * p.y();
+    const Scalar radial = 1 + r2 * (k1 + r2 * k2);
+    return {radial * p.x() + 2 * p1 * xy + p2 * (r2 + 2 * p.x() * p.x()),
+            radial * p.y() + p1 * (r2 + 2 * p.y() * p.y()) + 2 * p2 * xy};
+}
+
+/// How far from its axis, at depth 1, a lens maps farther out to farther out: where r (1 + k1 r^2 + k2 r^4)
+/// has its first maximum. Beyond it Brown's model would bring points back into the picture. 1e30 for no end.
+float lens_edge(const std::array<float, 4>& distortion);
+
+/// None for a point behind the projector, beyond its lens's edge, or on the line of the homography that goes
+/// to infinity. The pixel may lie beyond the picture.
 std::optional<Eigen::Vector2f> project(const ProjectorModel& model, const Eigen::Vector3f& point_g_m);
 
 /// The same projector for points of another frame.
 ProjectorModel in_other_frame(const ProjectorModel& model, const RigidTransform& T_new_old);
-
-/// Where a pixel's light hits the area (scan frame), taken as an endless plane; none where it does not.
-std::optional<Eigen::Vector3f> lit_point_g_m(const ProjectorModel& model, const Eigen::Vector2f& pixel_px,
-                                             const InteractiveArea& area_g);
 
 }  // namespace touchstone

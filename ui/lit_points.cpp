@@ -14,7 +14,6 @@ using Eigen::Vector2f;
 using Projection = Eigen::Matrix<float, 3, 4>;  // of the scan's points, to places times depth
 
 constexpr float nearest = 0.05f, farthest = 100.f;  // of depths
-constexpr float no_edge = 1e30f;
 
 /// Depth is told by that of the plane's middle: 1 there.
 Projection pixels_of_plane(const ProjectorModel& model) {
@@ -28,17 +27,6 @@ Projection pixels_of_plane(const ProjectorModel& model) {
     const Eigen::Matrix3d H = model.H_px_uv.cast<double>();
     const double middle = (H * Eigen::Vector3d(0.5, 0.5, 1.0)).z();
     return Eigen::Matrix<double, 3, 4>(H * uv_of_point / middle).cast<float>();
-}
-
-/// How far from its axis a lens maps farther out to farther out: where r (1 + k1 r^2 + k2 r^4) has its first
-/// maximum. Beyond it Brown's model would bring points back into the picture.
-float lens_edge(const std::array<float, 4>& distortion) {
-    const double a = 5.0 * double{distortion[1]}, b = 3.0 * double{distortion[0]};
-    const double root = b * b - 4.0 * a;
-    if (root < 0.0) return no_edge;
-    // The smaller positive solution of a s^2 + b s + 1 = 0, s = r^2, in a form that stands a = 0.
-    const double below = -b + std::sqrt(root);
-    return below > 1e-9 ? static_cast<float>(std::sqrt(2.0 / below)) : no_edge;
 }
 
 }  // namespace

@@ -34,6 +34,25 @@ TEST(CommandLine, EveryOptionOfTheContract) {
     EXPECT_EQ(options.shots_dir, "s");
 }
 
+TEST(CommandLine, CalibrateWatchesStripesUnlessTouchesAreAskedFor) {
+    const CalibrateOptions plain = std::get<CalibrateOptions>(parse({"calibrate"}));
+    EXPECT_EQ(plain.method, CalibrationMethod::graycode);
+    EXPECT_FALSE(plain.json_file || plain.display || plain.pace);
+    const CalibrateOptions named = std::get<CalibrateOptions>(
+        parse({"calibrate", "--sensor", "sim:flat?projector=1", "--method", "touch", "--json", "-",
+               "--display", "projector", "--pace", "step"}));
+    EXPECT_EQ(named.config.sensor_uri, "sim:flat?projector=1");
+    EXPECT_EQ(named.method, CalibrationMethod::touch);
+    EXPECT_EQ(named.json_file, "-");
+    EXPECT_EQ(named.display, DisplayKind::projector);
+    EXPECT_EQ(named.pace, Pace::step);
+    expect_error(
+        [] {
+            parse({"calibrate", "--method", "chessboard"});
+        },
+        ExitStatus::usage, ::testing::HasSubstr("graycode"));
+}
+
 TEST(CommandLine, BenchTakesEveryFrameInOrder) {
     const BenchOptions plain = std::get<BenchOptions>(parse({"bench"}));
     EXPECT_EQ(plain.pace, Pace::step);

@@ -128,6 +128,20 @@ TEST(GrayCode, MiddlesOfCellsAreKnownBetterThanTheirSides) {
     EXPECT_LT(rms_px(matches), 0.5);
 }
 
+/// Where a stripe is hardly brighter than its inverse, nobody knows on which side of its edge the pixel lies.
+TEST(GrayCode, PixelsOnAnEdgeOfAStripeAreNotGuessed) {
+    auto seen = seen_pictures();
+    constexpr int stripes = 6;
+    const std::size_t pixel = 120 * width_px + 200;
+    ASSERT_GE(decode_cells(code, seen, width_px, height_px).column[pixel], 0);
+    const float middle = 0.5f * (seen[0][pixel] + seen[1][pixel]);
+    seen[stripes][pixel] = middle + 2.0f;
+    seen[stripes + 1][pixel] = middle - 2.0f;
+    const CellPicture cells = decode_cells(code, seen, width_px, height_px);
+    EXPECT_EQ(cells.column[pixel], -1);
+    EXPECT_EQ(cells.row[pixel], -1);
+}
+
 /// Cells cut by an edge of the depth picture would be off by pixels.
 TEST(GrayCode, CellsThatAreCutOffAreLeftOut) {
     const CellPicture cells = decode_cells(code, seen_pictures(), width_px, height_px);

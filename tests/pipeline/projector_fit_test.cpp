@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "tests/support/lit_point.hpp"
+
 namespace touchstone {
 namespace {
 
@@ -91,11 +93,22 @@ TEST(ProjectorModel, LightsThePointThatIsProjectedThere) {
     for (const Vector3f& point : {Vector3f(0.3f, 0.2f, 1.0f), Vector3f(-0.4f, -0.3f, 1.0f)}) {
         const auto pixel = project(model, point);
         ASSERT_TRUE(pixel);
-        const auto lit = lit_point_g_m(model, *pixel, table_area());
+        const auto lit = test::lit_point_g_m(model, *pixel, table_area());
         ASSERT_TRUE(lit);
         EXPECT_LT((*lit - point).norm(), 1e-4f);
     }
     EXPECT_FALSE(project(model, {0.0f, 0.0f, -1.0f})) << "behind it";
+}
+
+/// Brown's model would bring back what lies far outside: r (1 - 0.3 r^2) is largest at r = 1.054.
+TEST(ProjectorModel, NothingIsBroughtBackBeyondTheEdgeOfItsLens) {
+    ProjectorModel model = true_projector();
+    model.distortion = {-0.3f, 0.0f, 0.0f, 0.0f};
+    model.T_p_g = RigidTransform::Identity();
+    EXPECT_NEAR(lens_edge(model.distortion), 1.0541f, 1e-3f);
+    EXPECT_TRUE(project(model, {1.0f, 0.0f, 1.0f}));
+    EXPECT_FALSE(project(model, {1.1f, 0.0f, 1.0f}));
+    EXPECT_GT(lens_edge({0.03f, 0.0f, 0.0f, 0.0f}), 1e6f) << "one that bends outwards has none";
 }
 
 TEST(ProjectorFit, ExactMatchesOnARidgeGiveTheProjector) {

@@ -3,6 +3,7 @@
 #include "platform/image/png_file.hpp"
 #include "platform/system/error.hpp"
 #include "projection_fixture.hpp"
+#include "tests/support/lit_point.hpp"
 #include "ui/layout.hpp"
 #include "ui/scene_list.hpp"
 #include "ui/table_presenter.hpp"
@@ -139,7 +140,7 @@ TEST_F(ProjectedPresenterTest, WordsComeWhenSomethingIsWrong) {
     EXPECT_GT(count_differences(well, wrong, 60), 50);
     int elsewhere = 0;
     for_each_difference(well, wrong, 60, [&](int x, int y) {
-        const auto lit = lit_point_g_m(model_, model_place(wrong, x, y), view_.area_g);
+        const auto lit = test::lit_point_g_m(model_, model_place(wrong, x, y), view_.area_g);
         const Vector2f uv = area_uv(view_.area_g, *lit);
         elsewhere += uv.x() > 0.45f || uv.y() > 0.3f ? 1 : 0;
     });
