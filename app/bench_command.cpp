@@ -35,7 +35,8 @@ class Bench {
     Bench(const BenchOptions& options, TerminationSignals& signals)
         : options_(options), signals_(&signals), device_(device_config(options.config)) {
         run_self_test(device_);
-        camera_.emplace(DepthCamera::open(options.config.sensor_uri, options.pace, options.moving,
+        camera_.emplace(DepthCamera::open(options.config.sensor_uri, options.pace,
+                                          options.moving || wants_color(options.config),
                                           camera_setup(options.config)));
         log_info("reading {}, computing on {}", camera_->name(), device_.name());
         if (options.display) presentation_.emplace(shown_as(options));
@@ -67,7 +68,7 @@ class Bench {
                               frame.intrinsics);
         const InteractionFrame seen = pipeline_->see({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
         if (presentation_) show(seen, frame, arrived);
-        pipeline_->follow();
+        pipeline_->follow(frame.color_rgb);
         if (is_live_) return true;
         is_live_ = seen.state == InteractionState::live;
         pipeline_->forget_stage_times();
@@ -77,7 +78,9 @@ class Bench {
 
     void show(const InteractionFrame& seen, const DepthFrame& frame,
               std::chrono::steady_clock::time_point arrived) {
-        TableFrame shown = make_table_frame(*pipeline_, seen, frame, options_.config.interaction.scan_frames);
+        const InteractionConfig& config = options_.config.interaction;
+        TableFrame shown =
+            make_table_frame(*pipeline_, seen, frame, config.scan_frames, config.rendering.view == "camera");
         shown.arrived = arrived;
         (void)presentation_->should_close();
         presentation_->draw(shown);

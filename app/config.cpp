@@ -70,7 +70,10 @@ void add_foreground_keys(KeyList& keys, Config& config) {
         "with a GPU");
     keys.add("most_volumes", foreground.most_volumes, 1, 8, "things that have one at a time");
     keys.section("rendering");
-    keys.add("view", config.interaction.rendering.view, "of the table: shaded, or normals as colours");
+    keys.add(
+        "view", config.interaction.rendering.view,
+        "of the table: shaded, normals as colours, or camera: its own picture, with what is virtual and its "
+        "shadows in it");
 }
 
 void add_sensor_keys(KeyList& keys, Config& config) {
@@ -79,6 +82,9 @@ void add_sensor_keys(KeyList& keys, Config& config) {
     keys.add("uri", config.sensor_uri, "sensor URI; empty: the attached camera");
     keys.add("mode", config.sensor_mode,
              "WIDTHxHEIGHT@HERTZ of a device's depth picture, e.g. 320x240@60; empty: its model's");
+    keys.add(
+        "color", config.sensor_color,
+        "its colour picture, too, where it has one: the scan keeps colours, which mirror and inspect show");
     keys.add(
         "models", config.sensor_models,
         "file of camera models (platform/camera/sensor_models.toml shows the form) before the built-in ones");
@@ -124,6 +130,10 @@ DeviceConfig device_config(const Config& config) {
     DeviceConfig device = config.compute;
     device.cache_dir = default_cache_dir();
     return device;
+}
+
+bool wants_color(const Config& config) {
+    return config.sensor_color || config.interaction.rendering.view == "camera";
 }
 
 CameraSetup camera_setup(const Config& config) {

@@ -49,6 +49,7 @@ struct TuioConfig {
 struct Config {
     std::string sensor_uri;
     std::string sensor_mode;    ///< of its depth picture, as parse_depth_mode reads it; empty: the model's
+    bool sensor_color = false;  ///< its colours, too, where it has some: the scan keeps them
     std::string sensor_models;  ///< file of camera models before the built-in ones; empty: none
     DeviceConfig compute;
     InteractionConfig interaction;
@@ -70,6 +71,9 @@ struct Config {
 
 /// The compute device of the configuration, with the kernel cache in its place.
 DeviceConfig device_config(const Config& config);
+
+/// Whether a table needs the camera's colour picture.
+bool wants_color(const Config& config);
 
 /// What the configuration says of the camera. Throws Error{configuration} for a mode that is none.
 CameraSetup camera_setup(const Config& config);

@@ -16,11 +16,7 @@ namespace {
     throw Error(ExitStatus::configuration, file + ":" + std::to_string(where.begin.line) + ": " + what);
 }
 
-std::string plain_number(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
+std::string plain_number(double value) { return fmt::format("{:.10g}", value); }
 
 std::string full_name(const ConfigKey& key) { return key.section + "." + key.name; }
 

@@ -134,7 +134,9 @@ TableFrame Perception::process(const DepthFrame& frame) {
     health_.frame(frame.timestamp_us, camera_->rate_hz(),
                   static_cast<int>(std::ranges::count(result.touches, TouchPhase::down, &TouchEvent::phase)));
     recovery_.healthy(std::chrono::steady_clock::now());
-    TableFrame shown = make_table_frame(*pipeline_, result, frame, options_.config.interaction.scan_frames);
+    const InteractionConfig& config = options_.config.interaction;
+    TableFrame shown =
+        make_table_frame(*pipeline_, result, frame, config.scan_frames, config.rendering.view == "camera");
     shown.arrived = start;
     show_light(shown.state);
     serve_scene(result, frame.timestamp_us, shown);
@@ -149,12 +151,13 @@ TableFrame Perception::process(const DepthFrame& frame) {
     last_shown_ = shown;
     last_shown_.touches.clear();
     to_follow_ = result.state;
+    color_to_follow_ = frame.color_rgb;
     return shown;
 }
 
 void Perception::follow() {
     if (!to_follow_) return;
-    pipeline_->follow();
+    pipeline_->follow(color_to_follow_);
     save_scan_when_new(*std::exchange(to_follow_, std::nullopt));
 }
 

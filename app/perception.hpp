@@ -121,6 +121,7 @@ class Perception {
     int frames_done_ = 0;
     TableFrame last_shown_;
     std::optional<InteractionState> to_follow_;  ///< of a frame that was seen only
+    std::vector<std::uint8_t> color_to_follow_;  ///< of that frame; may be empty
     bool scan_is_new_ = false;                   ///< made or moved since it was last written
 };
 

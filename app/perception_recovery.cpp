@@ -45,8 +45,11 @@ void reset_on_usb() {
 }  // namespace
 
 void Perception::open_camera() {
-    camera_ =
-        DepthCamera::open(options_.config.sensor_uri, options_.pace, false, camera_setup(options_.config));
+    const bool with_color = wants_color(options_.config);
+    camera_ = DepthCamera::open(options_.config.sensor_uri, options_.pace, with_color,
+                                camera_setup(options_.config));
+    if (with_color && !camera_->has_color())
+        log_warning("{} gives no colours: surfaces are shown shaded", camera_->name());
     const std::chrono::milliseconds three_frames(std::lround(3000.0 / camera_->rate_hz()));
     recovery_.opened(std::chrono::steady_clock::now(),
                      std::max(three_frames, std::chrono::milliseconds(500)));

@@ -5,7 +5,7 @@
 namespace touchstone {
 
 TableFrame make_table_frame(InteractionPipeline& pipeline, const InteractionFrame& result,
-                            const DepthFrame& frame, int scan_frames_wanted) {
+                            const DepthFrame& frame, int scan_frames_wanted, bool shows_camera) {
     TableFrame shown;
     shown.index = frame.index;
     shown.timestamp_us = frame.timestamp_us;
@@ -14,7 +14,11 @@ TableFrame make_table_frame(InteractionPipeline& pipeline, const InteractionFram
     shown.scan_frames_done = result.scan_frames_done;
     shown.scan_frames_wanted = scan_frames_wanted;
     shown.note = result.note;
-    if (result.state != InteractionState::starting)
+    shown.view_is_camera = shows_camera && !frame.color_rgb.empty();
+    if (shown.view_is_camera)
+        shown.view = std::make_shared<ShadedView>(
+            camera_view(frame.color_rgb, pipeline.foreground_map(), frame.intrinsics));
+    else if (result.state != InteractionState::starting)
         shown.view = std::make_shared<ShadedView>(pipeline.view());
     if (const auto& area = pipeline.area()) {
         shown.has_area = true;

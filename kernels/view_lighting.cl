@@ -3,112 +3,6 @@
 
 #define MESH_SHADOW_BIAS_M 0.008f /* of a mesh on itself, and on what it stands on */
 
-typedef struct Ray8 {
-    Points8 origin, direction; /* length 1 */
-    float8 enter, leave;       /* of the box that holds all surfaces: enter >= 0, leave < enter where it is missed */
-} Ray8;
-
-INLINE Points8 scaled8(const Points8 p, const float8 by) {
-    const Points8 r = {p.x * by, p.y * by, p.z * by};
-    return r;
-}
-
-/* p + d t */
-INLINE Points8 along8(const Points8 p, const Points8 d, const float8 t) {
-    const Points8 r = {p.x + d.x * t, p.y + d.y * t, p.z + d.z * t};
-    return r;
-}
-
-INLINE Points8 normalized8(const Points8 p) { return scaled8(p, rsqrt(fmax(dot8(p, p), 1e-20f))); }
-
-INLINE Points8 choose_points8(const Points8 otherwise, const Points8 where_set, const int8 mask) {
-    const Points8 r = {select(otherwise.x, where_set.x, mask), select(otherwise.y, where_set.y, mask),
-                       select(otherwise.z, where_set.z, mask)};
-    return r;
-}
-
-INLINE void clip_axis8(const float8 origin, const float8 direction, const float low, const float high, float8* enter,
-                       float8* leave) {
-    const float8 per_voxel = 1.0f / copysign(fmax(fabs(direction), 1e-6f), direction);
-    const float8 a = (low - origin) * per_voxel, b = (high - origin) * per_voxel;
-    *enter = fmax(*enter, fmin(a, b));
-    *leave = fmin(*leave, fmax(a, b));
-}
-
-INLINE Ray8 make_ray8(const Points8 origin, const Points8 direction, const ViewLightingParams params) {
-    const float4 low = params.low_vox, high = params.high_vox;
-    Ray8 ray = {origin, direction, (float8)(0.0f), (float8)(1e9f)};
-    clip_axis8(origin.x, direction.x, low.x, high.x, &ray.enter, &ray.leave);
-    clip_axis8(origin.y, direction.y, low.y, high.y, &ray.enter, &ray.leave);
-    clip_axis8(origin.z, direction.z, low.z, high.z, &ray.enter, &ray.leave);
-    return ray;
-}
-
-/* What is left along an axis of the cells of this side, and a little, so that rounding does not keep a ray in them. */
-INLINE float8 rest_along8(const float8 p, const float8 direction, const float8 side) {
-    const float8 in_cell = p - side * floor(p / side);
-    return (select(in_cell, side - in_cell, direction > 0.0f) + 0.01f) / fmax(fabs(direction), 1e-3f);
-}
-
-typedef struct Look8 {
-    float8 distance; /* to the surface, voxels, negative behind it; 0 where unknown */
-    float8 step;     /* that passes nothing */
-    int8 known;
-} Look8;
-
-/* The voxels at t. Bricks that are not in the table are passed at once, and so are groups of them. */
-INLINE Look8 look8(__global const int* table, __global const int* pool, const VolumeParams volume, const Ray8* ray, const float8 t,
-                   const int8 live) {
-    const float last = (float)volume.size_vox - 0.5f, truncation_vox = volume.max_truncation_m / volume.voxel_m;
-    const Points8 p = along8(ray->origin, ray->direction, t);
-    const int8 x = convert_int8_rtz(fmax(fmin(p.x, last), 0.0f)), y = convert_int8_rtz(fmax(fmin(p.y, last), 0.0f));
-    const int8 z = convert_int8_rtz(fmax(fmin(p.z, last), 0.0f));
-    const int8 slot = gather_int8(table, select((int8)(-1), brick_of8(volume, x, y, z), live));
-    const int8 voxel = read_slots8(pool, slot, x, y, z);
-    Look8 r;
-    r.known = voxel_weight8(voxel) > 0;
-    r.distance = select((float8)(0.0f), voxel_tsdf8(voxel) * truncation_vox, r.known);
-    r.step = select((float8)(2.0f), fmax(1.0f, 0.8f * r.distance), r.known);
-    const int8 passed = live & (slot < 0);
-    if (any(passed)) {
-        const float8 side = select((float8)(BRICK_VOX), (float8)(SKIP_GROUP_BRICKS * BRICK_VOX), slot == SKIP_GROUP);
-        const float8 rest = fmin(fmin(rest_along8(p.x, ray->direction.x, side), rest_along8(p.y, ray->direction.y, side)),
-                                 rest_along8(p.z, ray->direction.z, side));
-        r.step = select(r.step, fmax(r.step, rest), passed);
-    }
-    return r;
-}
-
-/* By how many voxels rays clear all surfaces up to `end`, from -0.5 (they do not) to 1. Whatever is known to be behind a surface is in the
- * way, from whichever side the ray comes; unknown space is not. */
-INLINE float8 clearance8(__global const int* table, __global const int* pool, const VolumeParams volume, const Ray8* ray,
-                         const float8 end, const int8 wanted) {
-    const float truncation_vox = volume.max_truncation_m / volume.voxel_m;
-    float8 t = ray->enter, clearance = (float8)(1.0f);
-    int8 live = wanted & (t < end);
-    for (int i = 0; i < 4096 && any(live); ++i) {
-        const Look8 at = look8(table, pool, volume, ray, t, live);
-        float8 distance = at.distance;
-        /* The nearest voxel's centre is up to 0.87 voxels away: only so near can the clearance be below a half. */
-        const int8 close = live & at.known & (distance < 1.5f);
-        if (any(close)) {
-            const Sample8 s = sample_trilinear8(table, pool, volume, along8(ray->origin, ray->direction, t));
-            distance = select(distance, s.tsdf * truncation_vox, close & s.known);
-        }
-        clearance = select(clearance, fmin(clearance, distance), live & at.known);
-        t += select(at.step, (float8)(0.5f), close);
-        live &= (clearance > -0.5f) & (t < end);
-    }
-    return clearance;
-}
-
-/* The same of a sphere, as the distance of the nearest point of the segment. */
-INLINE float8 sphere_clearance8(const Points8 from, const Points8 direction, const float8 length, const float4 sphere_vox) {
-    const Points8 to_centre = {sphere_vox.x - from.x, sphere_vox.y - from.y, sphere_vox.z - from.z};
-    const Points8 gap = along8(to_centre, direction, -clamp(dot8(to_centre, direction), (float8)(0.0f), length));
-    return select((float8)(1.0f), sqrt(dot8(gap, gap)) - sphere_vox.w, (int8)(sphere_vox.w > 0.0f ? -1 : 0));
-}
-
 /* What a mesh leaves of the light: of its depths as the light sees it, the four around each point (metres, global frame). */
 INLINE float8 mesh_share8(__global const float* shadow_m, const Intrinsics k, const MapShape shape, const Pose T_l_g,
                           const Points8 point_g_m) {
@@ -129,47 +23,6 @@ INLINE float8 mesh_share8(__global const float* shadow_m, const Intrinsics k, co
         dark += select((float8)(0.0f), near, inside & (depth_m > 0.0f) & (depth_m < p.z - MESH_SHADOW_BIAS_M));
     }
     return 1.0f - dark;
-}
-
-typedef struct Hit8 {
-    float8 t;
-    Points8 normal; /* length 1 */
-    int8 found;
-} Hit8;
-
-/* The first surface that rays come to from its front, as the primary rays do: a walk and Newton steps towards the zero. */
-INLINE Hit8 first_hit8(__global const int* table, __global const int* pool, const VolumeParams volume, const Ray8* ray,
-                       const int8 wanted) {
-    const float8 none = (float8)(0.0f);
-    Hit8 hit = {none, {none, none, none}, (int8)(0)};
-    float8 t = ray->enter, t_before = t, before = none;
-    int8 live = wanted & (t < ray->leave);
-    for (int i = 0; i < 4096 && any(live); ++i) {
-        const Look8 at = look8(table, pool, volume, ray, t, live);
-        const int8 crossed = live & at.known & (at.distance <= 0.0f) & (before > 0.0f);
-        hit.t = select(hit.t, t_before + (t - t_before) * (before / (before - at.distance)), crossed);
-        hit.found |= crossed;
-        live &= ~crossed & ~(at.known & (at.distance > 0.0f) & (before < 0.0f));
-        t_before = t;
-        before = at.distance;
-        t += at.step;
-        live &= t < ray->leave;
-    }
-    const float truncation_vox = volume.max_truncation_m / volume.voxel_m;
-    int8 near = (int8)(0), searching = hit.found;
-    for (int i = 0; i < 6 && any(searching); ++i) {
-        const Sample8 s = sample_trilinear8(table, pool, volume, along8(ray->origin, ray->direction, hit.t));
-        const float8 slope = dot8(s.gradient, ray->direction);
-        const int8 descends = s.known & (slope < -1e-6f);
-        const float8 newton = clamp(-s.tsdf / select((float8)(-1.0f), slope, descends), (float8)(-1.0f), (float8)(1.0f));
-        hit.t += select(none, select(select(none, (float8)(-0.5f), s.known), newton, descends), searching);
-        hit.normal = choose_points8(hit.normal, s.gradient, searching);
-        near = select(near, s.known & (fabs(s.tsdf) * truncation_vox < 0.5f), searching);
-        searching &= s.known & ~(descends & (fabs(s.tsdf) * truncation_vox < 0.1f));
-    }
-    hit.normal = normalized8(hit.normal);
-    hit.found &= near & (dot8(hit.normal, ray->direction) < 0.0f);
-    return hit;
 }
 
 /* What pixels show, seen directly or in the mirror. */
@@ -248,18 +101,18 @@ INLINE Colour8 surface_colour8(__global const int* color_table, __global const u
     return choose_colour8(fixed, mean, weights > 1e-3f);
 }
 
-/* Share of the light that arrives: the edge of a shadow is a voxel wide. The ray begins where it has left its own surface: on its
- * way, not beside it, so that shadows do not shift. */
+/* Share of the light that arrives, past the volume's surfaces where `by_surfaces` is set, and past the sphere: the edge of a shadow
+ * is a voxel wide. The ray begins where it has left its own surface: on its way, not beside it, so that shadows do not shift. */
 INLINE float8 light_share8(__global const int* table, __global const int* pool, const VolumeParams volume,
                            const ViewLightingParams params, const Points8 to_light, const float4 sphere_vox, const Seen8* seen,
-                           const float8 cos_light) {
+                           const float8 cos_light, const int8 by_surfaces) {
     const int8 wanted = seen->hit & (cos_light > 0.0f);
     if (!any(wanted)) return (float8)(0.0f);
     const Points8 light = normalized8(to_light);
     const float8 start = params.start_vox / fmax(cos_light, params.grazing_cos);
     const float8 length = sqrt(dot8(to_light, to_light)) - start;
     const Ray8 ray = make_ray8(along8(seen->point, light, start), light, params);
-    const float8 of_surfaces = clearance8(table, pool, volume, &ray, fmin(length, ray.leave), wanted);  // L3:21
+    const float8 of_surfaces = clearance8(table, pool, volume, &ray, fmin(length, ray.leave), wanted & by_surfaces);  // L3:21
     const float8 of_sphere = sphere_clearance8(ray.origin, light, fmax(length, 0.0f), sphere_vox);
     const float8 fade = smoothstep(0.0f, params.grazing_cos, cos_light);
     return select((float8)(0.0f), fade * clamp(0.5f + fmin(of_surfaces, of_sphere), 0.0f, 1.0f), wanted);
@@ -274,9 +127,10 @@ INLINE Colour8 sky8(const ViewLightingParams params, const Points8 direction) {
     return c;
 }
 
-/* ViewStyle of pipeline/scene_wish.hpp. */
+/* ViewStyle of pipeline/scene_wish.hpp. Over the camera's picture: what is virtual, and its shadows as black with alpha. */
 #define STYLE_NORMALS 1
 #define STYLE_COLOURS 2
+#define STYLE_OVER_CAMERA 4
 
 /* As show_normals of shading.cl: red to the right, green up, blue towards the camera. */
 INLINE Colour8 colour_of_normal8(const Points8 normal_c) {
@@ -317,7 +171,11 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     const Points8 light = normalized8(to_light);
     const float8 cos_light = dot8(seen.normal, light);
     const int is_unlit = style == STYLE_NORMALS || (style == STYLE_COLOURS && params.has_colors);
-    float8 share = is_unlit ? (float8)(0.0f) : light_share8(table, pool, volume, params, to_light, sphere_vox, &seen, cos_light);
+    /* The camera's own picture has the shadows of what is real in it. */
+    const int8 is_virtual = seen.mesh | seen.mirror, over_camera = (int8)(style == STYLE_OVER_CAMERA ? -1 : 0);
+    float8 share = (float8)(0.0f);
+    if (!is_unlit)
+        share = light_share8(table, pool, volume, params, to_light, sphere_vox, &seen, cos_light, is_virtual | ~over_camera);
     if (shadow_k.fx_px > 0.0f && !is_unlit)
         share *= mesh_share8(shadow_m, shadow_k, shadow_shape, T_l_g, scaled8(seen.point, (float8)(volume.voxel_m)));
     const float8 level = params.ambient + params.diffuse * fmax(cos_light, 0.0f) * share;
@@ -330,6 +188,12 @@ __kernel void light_view(__global const int* table, __global const int* pool, __
     const Colour8 shown = choose_colour8(beyond, lit, seen.hit);
     const float8 kept = select((float8)(1.0f), (float8)(params.mirror), seen.mirror);
     const Colour8 dimmed = {shown.r * kept, shown.g * kept, shown.b * kept};
-    vstore8(pack_rgba8(dimmed, (uint8)(255u)), 0, rgba + at);
+    uint8 shown_rgba = pack_rgba8(dimmed, (uint8)(255u));
+    if (style == STYLE_OVER_CAMERA) {
+        const float8 unshaded = params.ambient + params.diffuse * fmax(cos_light, 0.0f) * smoothstep(0.0f, params.grazing_cos, cos_light);
+        const float8 darkness = select((float8)(0.0f), clamp(1.0f - level / unshaded, 0.0f, 1.0f), seen.hit);
+        shown_rgba = select(convert_uint8(convert_int8_rte(255.0f * darkness)) << (uint8)(24), shown_rgba, is_virtual);
+    }
+    vstore8(shown_rgba, 0, rgba + at);
     vstore8(seen.depth_m, 0, depth_m + at);
 }

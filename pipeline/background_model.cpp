@@ -74,6 +74,7 @@ BackgroundModel::BackgroundModel(const Device& device, const BackgroundConfig& c
                                  TsdfVolume volume)
     : device_(&device),
       config_(config),
+      intrinsics_(intrinsics),
       placement_(placement),
       volume_(std::move(volume)),
       weighting_(device, config.weights, intrinsics),
@@ -120,15 +121,35 @@ void BackgroundModel::scan_anew(const LiveMaps& mean, std::span<const std::uint8
     raycasting_.raycast(volume_, placement_.T_g_c, prediction_);
 }
 
-void BackgroundModel::follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask) {
+void BackgroundModel::follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask,
+                             std::span<const std::uint8_t> rgb) {
     const BrickLayers share = layer_share(volume_, next_part_, config_.refresh_parts);
     next_part_ = (next_part_ + 1) % config_.refresh_parts;
     Buffer<std::uint8_t>& weights = weighting_.weigh(live, all_left_out(mask));
+    if (!rgb.empty()) colour(live, rgb, weights);
     resting_.leave_out(live, prediction_, weights);
     const std::vector<int>& changed =
         integration_.integrate(volume_, live.depth_m, weights, placement_.T_g_c, share);
     raycasting_.refresh(volume_, placement_.T_g_c, changed, prediction_);
     settled_.lay_over(prediction_);
+}
+
+/// A still surface needs few colour pictures, and each costs time.
+void BackgroundModel::colour(const LiveMaps& live, std::span<const std::uint8_t> rgb,
+                             const Buffer<std::uint8_t>& weights) {
+    if (frames_to_color_-- > 0) return;
+    frames_to_color_ = config_.color_interval - 1;
+    if (!color_) color_.emplace(*device_, config_.color, intrinsics_);
+    std::vector<int> part;
+    {
+        const auto bricks =
+            volume_.brick_of_slot().map_read(static_cast<std::size_t>(volume_.bricks_in_use()));
+        for (auto slot = static_cast<std::size_t>(next_color_part_); slot < bricks.size();
+             slot += static_cast<std::size_t>(config_.refresh_parts))
+            part.push_back(bricks[slot]);
+    }
+    next_color_part_ = (next_color_part_ + 1) % config_.refresh_parts;
+    color_->integrate(volume_, live, rgb, weights, placement_.T_g_c, part);
 }
 
 void BackgroundModel::move_camera(const RigidTransform& T_g_c) {

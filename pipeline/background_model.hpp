@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
+#include "pipeline/color_integration.hpp"
 #include "pipeline/maps.hpp"
 #include "pipeline/object_cutting.hpp"
 #include "pipeline/raycasting.hpp"
@@ -24,6 +26,8 @@ struct BackgroundConfig {
     bool fit_side = true;  ///< side and place from what the first frame sees, 1 to 5 m; else volume.side_m
     float max_volume_depth_m = 4.5f;  ///< what is farther away does not widen the fitted volume
     int refresh_parts = 8;            ///< while live, each frame keeps up one of so many slices
+    ColorIntegrationConfig color;
+    int color_interval = 4;  ///< one frame in so many colours one of refresh_parts of the surface
     RestingTilesConfig rest;
     ObjectsConfig objects;
 };
@@ -42,7 +46,8 @@ std::optional<VolumePlacement> fit_volume(const DepthView& view, float max_depth
 /// The same, with the configured side about the same middle where the side is not to be fitted.
 std::optional<VolumePlacement> place_volume(const DepthView& view, const BackgroundConfig& config);
 
-/// The fixed camera's surroundings (Fig 14a): the volume and its cached prediction.
+/// The fixed camera's surroundings (Fig 14a): the volume, with colours where the camera gives some, and its
+/// cached prediction.
 class BackgroundModel {
   public:
     BackgroundModel(const Device& device, const BackgroundConfig& config, const Intrinsics& intrinsics,
@@ -55,8 +60,11 @@ class BackgroundModel {
     void scan(const LiveMaps& live);
     /// Forgets all that was fused and fuses a mean of several frames, `frames` of them at each pixel.
     void scan_anew(const LiveMaps& mean, std::span<const std::uint8_t> frames);
-    /// Fuses one slice of a masked frame and refreshes what changed: while live.
-    void follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask);
+    /// Fuses one slice of a masked frame and refreshes what changed: while live. `rgb` may be empty: 3 bytes
+    /// a pixel, row-major, registered to the depth; the surface takes its colours. Throws Error{bad_data}
+    /// where it has another size.
+    void follow(const LiveMaps& live, const Buffer<std::uint8_t>& mask,
+                std::span<const std::uint8_t> rgb = {});
     /// The camera is elsewhere: predicts the whole view from there.
     void move_camera(const RigidTransform& T_g_c);
 
@@ -80,6 +88,7 @@ class BackgroundModel {
 
     const Device* device_;
     BackgroundConfig config_;
+    Intrinsics intrinsics_;
     VolumePlacement placement_;
     TsdfVolume volume_;
     SampleWeighting weighting_;
@@ -88,12 +97,15 @@ class BackgroundModel {
     RestingTiles resting_;
     void predict_again(const PixelRegion& box);
     const Buffer<std::uint8_t>& all_left_out(const Buffer<std::uint8_t>& mask);
+    void colour(const LiveMaps& live, std::span<const std::uint8_t> rgb, const Buffer<std::uint8_t>& weights);
 
     SurfacePrediction prediction_;
     SettledObjects settled_;
     Program program_;
     Kernel join_masks_;
     Buffer<std::uint8_t> left_out_, joined_;
+    std::optional<ColorIntegration> color_;  ///< from the first colour picture on
+    int frames_to_color_ = 0, next_color_part_ = 0;
     bool leaves_out_ = false;
     int next_part_ = 0;
 };

@@ -19,6 +19,7 @@ RealignmentConfig at_start(const InteractionConfig& config) {
 InteractionConfig with_shared_noise(InteractionConfig config) {
     config.conversion.noise = config.noise;
     config.background.weights.noise = config.noise;
+    config.background.color.noise = config.noise;
     config.segmentation.association.noise = config.noise;
     config.segmentation.components.noise = config.noise;
     config.touch.map.noise = config.noise;
@@ -126,14 +127,14 @@ void InteractionPipeline::find_normals() {
     has_normals_ = true;
 }
 
-void InteractionPipeline::follow() {
+void InteractionPipeline::follow(std::span<const std::uint8_t> rgb) {
     if (to_follow_ != nullptr) {
         const StageTimer whole(times_, "frame");
         find_normals();
         follow_sensor(*to_follow_);
         if (pose_is_sure_) {
             const StageTimer timer(times_, "volumetric integration, raycast");
-            background_->follow(live_, to_follow_->background_mask);
+            background_->follow(live_, to_follow_->background_mask, rgb);
             device_->finish();
         }
         to_follow_ = nullptr;

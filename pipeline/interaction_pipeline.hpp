@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -82,7 +83,8 @@ class InteractionPipeline {
     /// What a frame shows, its touches above all. follow() must come before the next frame.
     InteractionFrame see(const DepthView& view, std::uint64_t timestamp_us);
     /// Keeps the background up with the frame that was seen last: it can wait until the touches are out.
-    void follow();
+    /// `rgb`, its colours, may be empty; as BackgroundModel::follow.
+    void follow(std::span<const std::uint8_t> rgb = {});
     /// Both.
     InteractionFrame process(const DepthView& view, std::uint64_t timestamp_us);
     /// The background as it is. Only once the state has been live. Waits for the device.

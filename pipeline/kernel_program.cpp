@@ -28,6 +28,7 @@ std::vector<ProgramSource> common_kernel_sources() {
 Program load_kernel_program(const Device& device, std::string_view stage_file) {
     std::vector<ProgramSource> sources = common_kernel_sources();
     sources.push_back(embedded("tsdf_access.h"));
+    if (stage_file == "view_lighting.cl") sources.push_back(embedded("view_rays.h"));
     sources.push_back(embedded(stage_file));
     return {device, sources};
 }

@@ -9,9 +9,9 @@ namespace touchstone {
 namespace {
 
 const char* kernel_of_view(const std::string& view) {
-    if (view == "shaded") return "shade_view";
+    if (view == "shaded" || view == "camera") return "shade_view";
     if (view == "normals") return "show_normals";
-    throw Error(ExitStatus::configuration, "rendering.view is shaded or normals");
+    throw Error(ExitStatus::configuration, "rendering.view is shaded, normals or camera");
 }
 
 }  // namespace
@@ -28,6 +28,17 @@ ShadedView Rendering::render(const SurfacePrediction& background, const Foregrou
     show_.launch(eight_pixels_each(shape_), background.depth_m, background.normals_c, foreground.normals_c,
                  foreground.mask, rgba_, shape_, intrinsics_, config_.shading);
     return read_view(rgba_, shape_);
+}
+
+ShadedView camera_view(std::span<const std::uint8_t> rgb, std::span<const std::uint8_t> foreground,
+                       const Intrinsics& intrinsics) {
+    ShadedView view{intrinsics.width_px, intrinsics.height_px, {}};
+    view.rgba.resize(4 * foreground.size());
+    for (std::size_t pixel = 0; pixel < foreground.size(); ++pixel) {
+        std::memcpy(&view.rgba[4 * pixel], &rgb[3 * pixel], 3);
+        view.rgba[4 * pixel + 3] = foreground[pixel] != 0 ? 0 : 255;
+    }
+    return view;
 }
 
 ShadedView read_view(const Buffer<std::uint32_t>& rgba, const MapShape& shape) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "pipeline/maps.hpp"
@@ -10,7 +11,8 @@
 namespace touchstone {
 
 struct RenderingConfig {
-    std::string view = "shaded";  ///< or "normals": as colours
+    /// Or "normals": as colours; or "camera": its own colour picture, where it has one.
+    std::string view = "shaded";
     ShadingParams shading{
         .background = {0.62f, 0.66f, 0.72f, 0.16f},
         .foreground = {0.93f, 0.62f, 0.42f, 0.10f},
@@ -24,6 +26,11 @@ struct ForegroundLayer {
     const Buffer<float>& normals_c;    ///< a pixel without normal is taken to face the camera
     const Buffer<std::uint8_t>& mask;  ///< not 0 where it is in front of the background
 };
+
+/// The camera's own picture (Fig 6 B): `rgb` of 3 bytes a pixel, alpha 0 where `foreground` is not 0; both
+/// row-major, no padding, of the same size.
+ShadedView camera_view(std::span<const std::uint8_t> rgb, std::span<const std::uint8_t> foreground,
+                       const Intrinsics& intrinsics);
 
 /// A map of pixels, red in the lowest byte, as a picture without padding. Waits for the device.
 ShadedView read_view(const Buffer<std::uint32_t>& rgba, const MapShape& shape);

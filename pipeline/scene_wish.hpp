@@ -30,7 +30,9 @@ struct MeshPicture {
     std::vector<std::uint32_t> rgba;  ///< red in the lowest byte; alpha is not looked at
 };
 
-enum class ViewStyle { shaded, normals, colors, foreground };
+/// over_camera: what is virtual, opaque, and its shadows as black with alpha; to be laid over the camera's
+/// own picture.
+enum class ViewStyle { shaded, normals, colors, foreground, over_camera };
 
 /// A picture of the scan that a scene wants. Wishes of one `version` want the same picture.
 struct ViewWish {
@@ -59,7 +61,8 @@ struct SceneWish {
 /// What became of a ViewWish.
 struct RenderedView {
     int version = 0;  ///< of the wish
-    /// Premultiplied alpha. From the camera's pose, alpha 0 where a hand is in front.
+    /// Premultiplied alpha, 255 but in the style over_camera. From the camera's pose, alpha 0 where a hand is
+    /// in front.
     ShadedView picture;
     bool is_full_quality = false;
     bool has_colors = false;  ///< the scan keeps colours

@@ -66,7 +66,7 @@ class ViewRendering {
     /// `intrinsics`: of the view.
     ViewRendering(const Device& device, const ViewLook& look, const Intrinsics& intrinsics);
 
-    /// Casts and lights. RGBA, alpha 255.
+    /// Casts and lights. RGBA, premultiplied; alpha 255 but in the style over_camera.
     ShadedView render(const TsdfVolume& volume, const RigidTransform& T_g_c, const ViewScene& scene,
                       ViewQuality quality = ViewQuality::full);
     /// Lights a surface that was cast from this pose already.

@@ -34,6 +34,7 @@ struct TableFrame {
     float frame_ms = 0.f;        ///< time the pipeline took, median of late
     std::string note;            ///< one line for the operator, empty when all is well
     std::shared_ptr<const ShadedView> view;  ///< may be null before the first frame
+    bool view_is_camera = false;             ///< its own picture, not shaded
     std::array<Eigen::Vector2f, 4>
         area_px{};  ///< corners of the interactive area in the view, in order around it
     bool has_area = false;

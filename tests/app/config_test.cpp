@@ -1,5 +1,9 @@
 #include "app/config.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include "tests/support/expect_error.hpp"
 
 namespace touchstone {
@@ -52,6 +56,13 @@ TEST(Config, PrintedConfigurationReadsBackTheSame) {
     EXPECT_EQ(print_config(read), print_config(changed));
     EXPECT_EQ(read.interaction.noise.quadratic, 0.00123f);
     EXPECT_EQ(read.tuio.source, "table \"one\"");
+}
+
+/// After a change of a key: touchstone run --print-config > docs/touchstone.toml.
+TEST(Config, TheHandbookHasEveryKey) {
+    std::ifstream file(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "docs/touchstone.toml");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(text, print_config(Config{}));
 }
 
 TEST(Config, UnknownKeyIsNamedWithItsLineAndWhatThereIs) {

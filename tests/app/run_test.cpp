@@ -75,6 +75,35 @@ TEST(Run, LivePaceKeepsPerceptionAndPresentationApart) {
     EXPECT_FALSE(std::filesystem::is_empty(folder / "shots"));
 }
 
+/// The table is of wood, and its shaded scan is bluish: over the camera's own picture the ball is grey, too.
+TEST(Run, TheCamerasOwnPictureLiesUnderWhatIsVirtual) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "table.toml") << "[rendering]\nview = \"camera\"\n";
+    const ProgramResult result =
+        run_program({TOUCHSTONE_PROGRAM, "run", "--config", (folder / "table.toml").string(), "--sensor",
+                     "sim:flat?seed=5&hands=0", "--frames", "32", "--pace", "step", "--display", "headless",
+                     "--scene", "mirror", "--shots", (folder / "shots").string()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto count = [&](const char* frame) {
+        const Image8 shot = read_png_8(folder / (std::string("shots/") + frame));
+        std::pair<int, int> wood_and_grey;
+        for (int y = 60; y < 660; ++y) {
+            for (int x = 400; x < 1220; ++x) {
+                const std::uint8_t* pixel =
+                    &shot.pixels[static_cast<std::size_t>((y * shot.width_px + x) * shot.channels)];
+                wood_and_grey.first += pixel[0] > pixel[2] + 30;
+                wood_and_grey.second += pixel[2] > pixel[0] + 10;
+            }
+        }
+        return wood_and_grey;
+    };
+    const auto [wood_before, grey_before] = count("frame-000015.png");
+    const auto [wood, grey] = count("frame-000031.png");
+    EXPECT_GT(wood_before, 400000) << "of 492000 pixels, while it scans";
+    EXPECT_GT(wood, 400000);
+    EXPECT_GT(grey, grey_before + 3000) << "the ball, which mirrors the sky, and the model";
+}
+
 /// Places of all touches of a run with a bias of 10 mm along the finger, of none, and before it is known.
 TEST(Run, TheBiasOfTouchesIsTakenOffAndAskedForWhereItIsNotKnown) {
     const TemporaryFolder folder;

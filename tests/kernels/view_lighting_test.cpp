@@ -204,5 +204,46 @@ TEST_F(ViewLighting, TheSphereThrowsAShadow) {
     EXPECT_EQ(wrong, 0) << "the edge is more than a quarter of a voxel off, measured at the sphere";
 }
 
+/// Over the camera's picture: the sphere as it is, its shadow as black with alpha, and nothing else; not the
+/// shadow of the box, which is real.
+TEST_F(ViewLighting, OverTheCamerasPictureOnlyWhatIsVirtualDarkens) {
+    const MirrorSphere sphere{{0.20f, 0.30f, 0.22f}, 0.06f};
+    render({light_g_m, sphere, nullptr});
+    const ShadedView whole = view;
+    render({.light_g_m = light_g_m, .sphere = sphere, .style = ViewStyle::over_camera});
+    int of_sphere = 0, dark = 0, in_box_shadow = 0, wrong = 0;
+    for (int y = 0; y < k.height_px; ++y) {
+        for (int x = 0; x < k.width_px; ++x) {
+            const auto at = static_cast<std::size_t>(4 * (y * k.width_px + x));
+            const auto entry =
+                reference::sphere_entry(eye(), ray_g(x, y), sphere.centre_g_m, sphere.radius_m);
+            const auto behind = test::hit_scene(eye(), ray_g(x, y));
+            if (entry && std::abs(depth(x, y) - *entry) < 1e-4f) {
+                ++of_sphere;
+                wrong += !std::equal(&view.rgba[at], &view.rgba[at] + 4, &whole.rgba[at]);
+                continue;
+            }
+            const auto hit = inner_hit(x, y);
+            if (!hit || !behind || hit->normal.y() != -1.0f) continue;
+            const auto shaded = [&](float by_m) {
+                const auto t = reference::sphere_entry(hit->point, light_g_m - hit->point, sphere.centre_g_m,
+                                                       sphere.radius_m + by_m);
+                return t && *t < 1.0f;
+            };
+            if (shaded(-0.5f * voxel_m) != shaded(0.5f * voxel_m)) continue;
+            const float cosine = hit->normal.dot((light_g_m - hit->point).normalized());
+            const float full = look.diffuse * cosine / (look.ambient + look.diffuse * cosine);
+            (shaded(0.0f) ? dark : in_box_shadow) += shaded(0.0f) || share(*hit) == 0.0f;
+            wrong += view.rgba[at] != 0 || view.rgba[at + 1] != 0 || view.rgba[at + 2] != 0;
+            const float expected = shaded(0.0f) ? 255.0f * full : 0.0f;
+            wrong += std::abs(static_cast<float>(view.rgba[at + 3]) - expected) > 2.5f;
+        }
+    }
+    EXPECT_GT(of_sphere, 200);
+    EXPECT_GT(dark, 200);
+    EXPECT_GT(in_box_shadow, 200);
+    EXPECT_EQ(wrong, 0) << "pixels that are more than two of 255 levels off";
+}
+
 }  // namespace
 }  // namespace touchstone

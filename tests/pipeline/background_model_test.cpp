@@ -96,5 +96,46 @@ TEST_F(FollowTest, MovesWithASlowChangeButNotUnderTheMask) {
     EXPECT_NEAR(center_depth_m(model), 1.006f, 0.0015f);
 }
 
+/// Left half red, right half blue; a hand, green and masked, over the middle of the left half.
+TEST_F(FollowTest, TheSurfaceTakesTheColoursOfThePictureButNotUnderTheMask) {
+    BackgroundConfig config;
+    config.volume.size_vox = 128;
+    VolumePlacement placement{1.28f, RigidTransform::Identity()};
+    placement.T_g_c.translation() = Eigen::Vector3f(0.64f, 0.64f, -0.36f);
+    BackgroundModel model(device, config, k, placement);
+    LiveMaps live = wall(1.0f);
+    std::vector<float> facing(3 * map_pixels(shape), 0.0f);
+    std::fill(facing.begin() + static_cast<std::ptrdiff_t>(2 * map_pixels(shape)), facing.end(), -1.0f);
+    live.normals_c.write(facing);
+    for (int frame = 0; frame < 10; ++frame) model.scan(live);
+    EXPECT_EQ(model.volume().colors(), nullptr);
+
+    std::vector<std::uint8_t> rgb, mask;
+    for (int y = 0; y < k.height_px; ++y) {
+        for (int x = 0; x < k.width_px; ++x) {
+            const bool hand = x >= 20 && x < 60 && y >= 40 && y < 80, left = x < 80;
+            for (const int level : {left && !hand ? 200 : 10, hand ? 220 : 30, left ? 20 : 180})
+                rgb.push_back(static_cast<std::uint8_t>(level));
+            mask.push_back(hand ? 255 : 0);
+        }
+    }
+    const Buffer<std::uint8_t> masked(device, test::padded<std::uint8_t>(shape, mask));
+    for (int frame = 0; frame < 3 * config.refresh_parts * config.color_interval; ++frame)
+        model.follow(live, masked, rgb);
+
+    const VolumeSnapshot snapshot = take_snapshot(model.volume());
+    int red = 0, blue = 0, other = 0;
+    for (const std::uint32_t color : snapshot.colors) {
+        if (color >> 24 == 0) continue;
+        const std::uint32_t r = color & 255, g = color >> 8 & 255, b = color >> 16 & 255;
+        red += r == 200 && g == 30 && b == 20;
+        blue += r == 10 && g == 30 && b == 180;
+        other += g > 35;
+    }
+    EXPECT_GT(red, 1000);
+    EXPECT_GT(blue, 2000);
+    EXPECT_EQ(other, 0) << "voxels with the colour of the hand";
+}
+
 }  // namespace
 }  // namespace touchstone

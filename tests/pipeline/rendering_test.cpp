@@ -68,6 +68,16 @@ TEST_F(RenderingTest, BrightnessIsPhongs) {
     EXPECT_NEAR(pixel(34, 20)[0], 255.0f * std::min(red, 1.0f), 2.0f);
 }
 
+TEST_F(RenderingTest, TheCamerasOwnPictureLetsPaintGoUnderTheForeground) {
+    const Intrinsics two{100.0f, 100.0f, 0.5f, 0.0f, 2, 1, {0, 0}};
+    const std::array<std::uint8_t, 6> rgb{10, 20, 30, 40, 50, 60};
+    const std::array<std::uint8_t, 2> moving{0, 255};
+    const ShadedView own = camera_view(rgb, moving, two);
+    EXPECT_EQ(own.width_px, 2);
+    EXPECT_EQ(own.height_px, 1);
+    EXPECT_EQ(own.rgba, (std::vector<std::uint8_t>{10, 20, 30, 255, 40, 50, 60, 0}));
+}
+
 TEST_F(RenderingTest, NormalsAreColours) {
     std::vector<float> up(3 * map_pixels(shape), 0.0f);
     const auto plane = static_cast<std::ptrdiff_t>(map_pixels(shape));

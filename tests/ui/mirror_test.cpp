@@ -55,6 +55,18 @@ class MirrorTest : public SceneFixture {
     }
 };
 
+TEST_F(MirrorTest, OverTheCamerasOwnPictureOnlyWhatIsVirtualIsWished) {
+    EXPECT_EQ(wish().style, ViewStyle::shaded);
+    const int version = wish().version;
+    frame_.view_is_camera = true;
+    present({});
+    EXPECT_EQ(wish().style, ViewStyle::over_camera);
+    EXPECT_GT(wish().version, version) << "the picture is another";
+    frame_.view_is_camera = false;
+    present({});
+    EXPECT_EQ(wish().style, ViewStyle::shaded);
+}
+
 /// The table is at 1.1 m and faces the camera: a ball of 60 mm stands 60 mm before it.
 TEST_F(MirrorTest, BallAndModelStandOnTheTable) {
     EXPECT_FALSE(wish().T_g_v.has_value()) << "from the camera's own pose";

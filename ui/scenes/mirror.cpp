@@ -1,5 +1,7 @@
 #include "ui/scenes/mirror.hpp"
 
+#include <utility>
+
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
@@ -47,6 +49,7 @@ void MirrorScene::show(const TableFrame& frame) {
     else if (!T_g_c_.isApprox(frame.T_g_c, same_pose))
         changed();
     T_g_c_ = frame.T_g_c;
+    if (std::exchange(over_camera_, frame.view_is_camera) != frame.view_is_camera) picture_.change();
     picture_.show(frame);
 }
 
@@ -79,6 +82,7 @@ SceneWish MirrorScene::wish() const {
     SceneWish wish;
     if (!things_) return wish;
     wish.view = picture_.wish();
+    if (over_camera_) wish.view->style = ViewStyle::over_camera;
     wish.view->sphere =
         MirrorSphere{things_->middle_g_m(TableThings::ball), 0.5f * things_->size_m(TableThings::ball)};
     wish.view->mesh = mesh_;

@@ -49,6 +49,7 @@ class MirrorScene : public Scene {
     RenderedPicture picture_;
     RigidTransform T_g_c_ = RigidTransform::Identity();
     bool mesh_is_old_ = true;
+    bool over_camera_ = false;  // the camera's own picture is shown
     std::uint64_t now_us_ = 0;
 };
 

@@ -76,7 +76,8 @@ HandScript::HandScript(const SimulatorConfig& config, const Workplace& place, in
       planner_(place_, shape_, config.human_timing, hover_band(config.gestures)),
       planned_until_s_(config.empty_s +
                        static_cast<double>(random_.uniform(0.05F, 0.4F) + 0.6F * static_cast<float>(hand))),
-      guided_(config.guided) {}
+      guided_(config.guided),
+      pause_s_(config.pause_s) {}
 
 std::optional<HandMoment> HandScript::at(double time_s) {
     while (planned_until_s_ <= time_s) extend();
@@ -161,7 +162,10 @@ void HandScript::leave() {
     if (way.empty()) way = leave_over_the_top();
     const double left_s = way.empty() ? planned_until_s_ : way.back().end_s;
     if (!way.empty()) append(std::move(way));
-    const double pause_s = random_.uniform(0.6F, 2.5F);
+    const double drawn_s = random_.uniform(0.6F, 2.5F);
+    const double pause_s = pause_s_ > 0.0
+                               ? drawn_s - pause_s_ * std::log(1.0 - static_cast<double>(random_.uniform()))
+                               : drawn_s;
     steps_.push_back(
         {{Motion::Kind::rest, left_s, left_s + pause_s, outside_, outside_, 0.0F, 0.0F, 0.0F, false},
          shoulder_s_,

@@ -56,6 +56,7 @@ class HandScript {
     int gestures_left_ = 0;
     bool here_ = false;
     bool guided_;
+    double pause_s_;
     std::optional<Vec3> asked_s_, touched_s_;  // touched: what was asked for at the last touch
     double touched_until_s_ = 0.0;
 };

@@ -12,7 +12,8 @@ namespace touchstone {
 namespace {
 
 constexpr std::string_view key_names =
-    "seed, hands, frames, noise, drift, human, sleeve, gestures, truth, masks, height, tilt, empty, rate, "
+    "seed, hands, frames, noise, drift, human, sleeve, gestures, truth, masks, height, tilt, empty, pause, "
+    "rate, "
     "poses, motion, "
     "person, person_s, mesh, size_m, grip, distance, object, put_s, take_s, cycle_s, knock_s, knock_deg, "
     "knock_mm, unplug_at, stall_at, freeze_at, tear, tear_every, clock_jump, fault_s, faults_every, "
@@ -121,8 +122,8 @@ void check_projector(const SimulatorConfig& config) {
 bool applies(std::string_view key, SimulatedScene scene) {
     const bool object = scene == SimulatedScene::object;
     for (const std::string_view of_tables :
-         {"hands", "human", "sleeve", "gestures", "truth", "height", "tilt", "empty", "object", "put_s",
-          "take_s", "cycle_s", "projector", "ambient", "guided", "projector_truth"})
+         {"hands", "human", "sleeve", "gestures", "truth", "height", "tilt", "empty", "pause", "object",
+          "put_s", "take_s", "cycle_s", "projector", "ambient", "guided", "projector_truth"})
         if (key == of_tables) return is_table(scene);
     for (const std::string_view of_objects : {"mesh", "size_m", "grip", "distance"})
         if (key == of_objects) return object;
@@ -184,6 +185,8 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
         config.tilt_deg = parse_number(key, value, 0.0, 45.0);
     else if (key == "empty")
         config.empty_s = parse_number(key, value, 0.0, 3600.0);
+    else if (key == "pause")
+        config.pause_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "rate")
         config.rate_hz = parse_number(key, value, 1.0, 120.0);
     else if (key == "ambient")

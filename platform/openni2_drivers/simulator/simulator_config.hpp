@@ -73,6 +73,7 @@ struct SimulatorConfig {
     double height_m = 1.0;     ///< camera above the table
     double tilt_deg = 25.0;    ///< of the optical axis from straight down
     double empty_s = 2.5;      ///< without hands at the start
+    double pause_s = 0.0;      ///< between two visits of a hand, on average; 0: 0.6 to 2.5 s
     double rate_hz = 30.0;
     CameraMotion motion = CameraMotion::still;
     double person = 0.0;    ///< somebody walks before the camera of `room` and `wall`, and covers about this

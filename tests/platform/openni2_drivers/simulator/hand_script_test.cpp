@@ -243,6 +243,23 @@ TEST(HandScript, NobodyIsThereAtTheStart) {
     EXPECT_TRUE(came);
 }
 
+/// Ten minutes: with pauses of 20 s on average they are there for less than half of the time, and still come.
+TEST(HandScript, VisitorsStayAwayForAsLongAsIsAsked) {
+    const auto here_s = [](double pause_s) {
+        SimulatorConfig config = config_of(SimulatedScene::flat, 3);
+        config.pause_s = pause_s;
+        const Table table(config);
+        HandScript script = table.script(0, 0.0F);
+        int seconds = 0;
+        for (int second = 0; second < 600; ++second) seconds += script.at(second).has_value();
+        return seconds;
+    };
+    EXPECT_GT(here_s(0.0), 450);
+    const int visited_s = here_s(20.0);
+    EXPECT_LT(visited_s, 400);
+    EXPECT_GT(visited_s, 120);
+}
+
 TEST(HandScript, HandsComeFromOutsideThePicture) {
     const Table table(config_of(SimulatedScene::flat, 2));
     HandScript script = table.script(0, 0.0F);
