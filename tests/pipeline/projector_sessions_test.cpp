@@ -1,7 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "pipeline/gray_code_session.hpp"
+#include "pipeline/gray_code.hpp"
+#include "pipeline/pattern_session.hpp"
 #include "pipeline/projector_crosses.hpp"
 #include "platform/system/error.hpp"
 
@@ -10,13 +11,12 @@ namespace {
 
 constexpr GrayCode code{64, 32, 8};
 constexpr int width_px = 32, height_px = 16;
-constexpr GrayCodeSessionConfig config{
-    .settle_frames = 2, .frames_per_pattern = 2, .quiet_frames = 3, .decode = {}};
+constexpr PatternSessionConfig config{.settle_frames = 2, .frames_per_pattern = 2, .quiet_frames = 3};
 
 /// A camera whose pixel is two of the projector's; its picture is one frame late.
 class LateCamera {
   public:
-    std::vector<std::uint8_t> see(const GrayCodeSession& session, bool hand = false) {
+    std::vector<std::uint8_t> see(const PatternSession& session, bool hand = false) {
         const int late = last_;
         last_ = session.pattern().value_or(0);
         std::vector<std::uint8_t> rgb;
@@ -40,23 +40,23 @@ void expect_every_cell_right(const CellPicture& cells) {
     }
 }
 
-TEST(GrayCodeSession, ShowsEachPatternUntilItWasSeen) {
-    GrayCodeSession session(code, config);
+TEST(PatternSession, ShowsEachPatternUntilItWasSeen) {
+    PatternSession session(code.patterns(), config);
     LateCamera camera;
     int frames = 0;
     for (; session.pattern() && frames < 1000; ++frames) session.take(camera.see(session), false);
     EXPECT_EQ(frames, 4 * code.patterns() + 1) << "the last is believed a frame later";
-    expect_every_cell_right(session.cells(width_px, height_px));
+    expect_every_cell_right(decode_cells(code, session.seen(), width_px, height_px));
     EXPECT_EQ(session.disturbances(), 0);
 }
 
 /// A hand covers everything for ten frames, and is noticed a frame late: what was seen last, one frame a
 /// pattern, may be of the hand.
-TEST(GrayCodeSession, AHandThatComesInIsNoticedAndThePatternsRepeated) {
-    GrayCodeSessionConfig hasty = config;
+TEST(PatternSession, AHandThatComesInIsNoticedAndThePatternsRepeated) {
+    PatternSessionConfig hasty = config;
     hasty.frames_per_pattern = 1;
     for (int begins = 5; begins < 3 * code.patterns(); ++begins) {
-        GrayCodeSession session(code, hasty);
+        PatternSession session(code.patterns(), hasty);
         LateCamera camera;
         int frames = 0;
         for (; session.pattern() && frames < 1000; ++frames) {
@@ -67,12 +67,12 @@ TEST(GrayCodeSession, AHandThatComesInIsNoticedAndThePatternsRepeated) {
         }
         EXPECT_EQ(session.disturbances(), 1);
         EXPECT_FALSE(session.is_disturbed());
-        expect_every_cell_right(session.cells(width_px, height_px));
+        expect_every_cell_right(decode_cells(code, session.seen(), width_px, height_px));
     }
 }
 
-TEST(GrayCodeSession, WhatDisturbsForEverIsSaid) {
-    GrayCodeSession session(code, config);
+TEST(PatternSession, WhatDisturbsForEverIsSaid) {
+    PatternSession session(code.patterns(), config);
     LateCamera camera;
     const auto disturb_for_ever = [&] {
         for (int frame = 0; frame < 10000; ++frame) session.take(camera.see(session), frame % 6 == 0);
@@ -80,8 +80,8 @@ TEST(GrayCodeSession, WhatDisturbsForEverIsSaid) {
     EXPECT_THROW(disturb_for_ever(), Error);
 }
 
-TEST(GrayCodeSession, PicturesOfAnotherSizeAreRefused) {
-    GrayCodeSession session(code, config);
+TEST(PatternSession, PicturesOfAnotherSizeAreRefused) {
+    PatternSession session(code.patterns(), config);
     LateCamera camera;
     for (int frame = 0; frame < 5; ++frame) session.take(camera.see(session), false);
     const std::vector<std::uint8_t> small(30);
