@@ -54,12 +54,14 @@ std::unique_ptr<Display> open_display(const RunOptions& options) {
     return open_display(choose_display(options.display), options.config.display, pixels);
 }
 
+bool is_projector(const RunOptions& options) {
+    return has_simulated_projector(options.config.sensor_uri) || options.display == DisplayKind::projector;
+}
+
 bool throws_on_table(const RunOptions& options) {
-    const bool is_projector =
-        has_simulated_projector(options.config.sensor_uri) || options.display == DisplayKind::projector;
     const std::string& calibration = options.config.projector.file;
     std::error_code none;
-    return is_projector && !calibration.empty() && std::filesystem::exists(calibration, none);
+    return is_projector(options) && !calibration.empty() && std::filesystem::exists(calibration, none);
 }
 
 }  // namespace touchstone

@@ -29,6 +29,9 @@ void show_to_simulated_hands(Display& display, const std::optional<Eigen::Vector
 /// For `run`: a simulated projector where the sensor has one, else as chosen.
 std::unique_ptr<Display> open_display(const RunOptions& options);
 
+/// Whether the picture can fall on the table.
+bool is_projector(const RunOptions& options);
+
 /// Whether the picture falls on the table and can be fitted to it: it comes from a projector that is
 /// calibrated.
 bool throws_on_table(const RunOptions& options);

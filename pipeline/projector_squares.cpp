@@ -27,7 +27,7 @@ constexpr float least_contrast = 12.0f;  // lit over dark, grey levels
 constexpr float edge_share = 0.5f;       // of a spot's brightest: darker pixels are its edge
 constexpr int least_pixels = 24;
 constexpr float least_known = 0.8f;  // of a spot's pixels have a point
-constexpr std::size_t least_found = 3;
+constexpr int least_squares = 3;     // of which a median is taken
 
 /// On the surface, with nothing steep around; nothing where that is not so.
 std::optional<Vector3f> even_point(std::span<const Vector4f> points_g_m, int width_px, int x_px, int y_px) {
@@ -222,7 +222,11 @@ ProjectorCheck judge_squares(const ProjectorModel& model, int shown, const SeenS
     ProjectorCheck check;
     check.shown = shown;
     check.found = static_cast<int>(seen.matches.size());
-    if (seen.matches.size() < std::min(least_found, static_cast<std::size_t>(std::max(1, shown)))) {
+    if (shown < least_squares) {
+        check.verdict = CheckVerdict::too_few;
+        return check;
+    }
+    if (check.found < least_squares) {
         check.verdict = seen.lights > 0 ? CheckVerdict::beside : CheckVerdict::unseen;
         return check;
     }
@@ -250,6 +254,8 @@ std::string describe(const ProjectorCheck& check) {
                 check.off_px);
         case CheckVerdict::beside:
             return "the projector's light falls beside where it should: calibrate it again";
+        case CheckVerdict::too_few:
+            return "by its calibration the projector lights too little of the table to check it";
         case CheckVerdict::unseen:
             break;
     }

@@ -48,6 +48,7 @@ enum class CheckVerdict {
     off,     ///< light falls elsewhere than the model says
     beside,  ///< there is light, but where there is no surface, or none that can be told from other light
     unseen,  ///< the camera saw no light: nothing is known
+    too_few  ///< squares that the model lets fall on even surface: nothing is known
 };
 
 /// Where light falls, against where a model says.

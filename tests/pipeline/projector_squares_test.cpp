@@ -136,6 +136,7 @@ TEST(ProjectorSquares, LightBesideTheSurfaceIsSaid) {
     const SeenSquares seen = find_squares(squares, see(squares, model, {}), nothing, camera_width_px);
     EXPECT_EQ(seen.lights, 12);
     EXPECT_EQ(judge_squares(model, 12, seen, table_area(), limit_mm).verdict, CheckVerdict::beside);
+    EXPECT_EQ(judge_squares(model, 2, seen, table_area(), limit_mm).verdict, CheckVerdict::too_few);
 }
 
 /// A lamp that went on, a square that a box covers in part.
