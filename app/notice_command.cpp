@@ -18,13 +18,16 @@ ExitStatus notice_command(const NoticeOptions& options) {
     const std::string reason = kept_failure();
     const std::string words = reason.empty() ? options.words : options.words + "\n\n" + reason;
     log_info("showing: {}", words);
+    ThrownPicture picture;
+    picture.words = words;
     const auto display =
         open_display(choose_display(options.display), options.config.display, WindowPixels::shown_only);
     CalibrationScreen screen(*display);
     const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(options.seconds));
     while (!signals.arrived() && !display->should_close() && Clock::now() < end) {
-        screen.show_words(words);
+        screen.draw(picture);
+        display->present();
         std::this_thread::sleep_for(between_looks);
     }
     return ExitStatus::ok;

@@ -21,6 +21,7 @@ struct HealthFigures {
     std::uint64_t touches = 0;                      ///< that went down
     std::map<std::string, std::uint64_t> faults;    ///< of the camera, by kind
     std::map<std::string, std::uint64_t> restarts;  ///< of the camera, by what was done
+    std::optional<double> projector_off_mm;         ///< where its light fell when it was last looked at
     double frame_rate_hz = 0.0;
     double resident_mb = 0.0;
     std::vector<StageSummary> stages;

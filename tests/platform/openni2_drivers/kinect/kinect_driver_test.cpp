@@ -33,6 +33,8 @@ class KinectDriverTest : public ::testing::Test {
         script.ticks = 600;
         script.color_starts = 0;
         script.led = -1;
+        script.auto_exposure = script.auto_white_balance = 1;
+        script.takes_flags = true;
         script.tilt_deg = 0;
         session.emplace();
     }
@@ -217,6 +219,30 @@ TEST_F(KinectDriverTest, LightTiltAndGravity) {
     EXPECT_NEAR(gravity.y, 9.64F, 0.01F) << "down";
     EXPECT_NEAR(gravity.z, -2.275F, 0.01F) << "a camera that looks up has it behind";
     EXPECT_NEAR(gravity.x, 0.323F, 0.01F);
+    device.close();
+}
+
+TEST_F(KinectDriverTest, ExposureAndWhiteBalanceAreThoseOfTheColourCamera) {
+    open();
+    openni::VideoStream depth, color;
+    start(depth, openni::SENSOR_DEPTH);
+    EXPECT_EQ(depth.getCameraSettings(), nullptr);
+    start(color, openni::SENSOR_COLOR);
+    openni::CameraSettings* settings = color.getCameraSettings();
+    ASSERT_NE(settings, nullptr);
+    EXPECT_TRUE(settings->getAutoExposureEnabled());
+    ASSERT_EQ(settings->setAutoExposureEnabled(false), openni::STATUS_OK);
+    EXPECT_EQ(script.auto_exposure, 0);
+    EXPECT_EQ(script.auto_white_balance, 1);
+    EXPECT_FALSE(settings->getAutoExposureEnabled());
+    EXPECT_TRUE(settings->getAutoWhiteBalanceEnabled());
+    ASSERT_EQ(settings->setAutoWhiteBalanceEnabled(false), openni::STATUS_OK);
+    EXPECT_EQ(script.auto_white_balance, 0);
+    script.takes_flags = false;
+    EXPECT_NE(settings->setAutoExposureEnabled(true), openni::STATUS_OK);
+    EXPECT_FALSE(settings->getAutoExposureEnabled()) << "the camera did not obey";
+    color.destroy();
+    depth.destroy();
     device.close();
 }
 
