@@ -1,8 +1,9 @@
 # Cross build for 64-bit ARM boards: Debian's cross compiler and the sysroot that toolchain/arm64_sysroot makes. What is built
-# also runs here, through qemu.
+# runs here too, through qemu (toolchain/run_arm64). toolchain/test_arm64 does it all.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
+set(TOUCHSTONE_DEBIAN_ARCHITECTURE arm64)
 
 set(TOUCHSTONE_SYSROOT ${CMAKE_CURRENT_LIST_DIR}/../build/sysroot-arm64 CACHE PATH "Debian arm64 root to build against")
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TOUCHSTONE_SYSROOT)
@@ -13,7 +14,7 @@ if(NOT EXISTS ${CMAKE_SYSROOT}/usr/lib/aarch64-linux-gnu)
 endif()
 
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
-set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L ${CMAKE_SYSROOT})
+set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_CURRENT_LIST_DIR}/run_arm64 --root ${CMAKE_SYSROOT})
 
 # Libraries and headers of the sysroot only, programs of this machine only.
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
