@@ -133,7 +133,7 @@ DeviceConfig device_config(const Config& config) {
 }
 
 bool wants_color(const Config& config) {
-    return config.sensor_color || config.interaction.rendering.view == "camera";
+    return config.sensor_color || shows_camera(config.interaction.rendering);
 }
 
 CameraSetup camera_setup(const Config& config) {

@@ -137,7 +137,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
     recovery_.healthy(std::chrono::steady_clock::now());
     const InteractionConfig& config = options_.config.interaction;
     TableFrame shown =
-        make_table_frame(*pipeline_, result, frame, config.scan_frames, config.rendering.view == "camera");
+        make_table_frame(*pipeline_, result, frame, config.scan_frames, shows_camera(config.rendering));
     shown.arrived = start;
     show_light(shown.state);
     serve_scene(result, frame.timestamp_us, shown);

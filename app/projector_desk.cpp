@@ -1,5 +1,6 @@
 #include "app/projector_desk.hpp"
 
+#include <cctype>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -18,6 +19,11 @@ constexpr int most_unshown_frames = 150;
 std::int64_t seconds_now() {
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     return std::chrono::duration_cast<std::chrono::seconds>(now).count();
+}
+
+std::string sentence(std::string words) {
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    return words + ".";
 }
 
 }  // namespace
@@ -214,9 +220,7 @@ void ProjectorDesk::conclude(const ProjectorCheck& check) {
     const bool is_right = check.verdict == CheckVerdict::right;
     const bool is_measured = is_right || check.verdict == CheckVerdict::off;
     off_mm_ = is_measured ? std::optional(static_cast<double>(check.off_mm)) : std::nullopt;
-    std::string words = describe(check);
-    words[0] = 'T';
-    say(words + ".", is_right);
+    say(sentence(describe(check)), is_right);
     if (is_right) size_note_.clear();
     if (check.verdict == CheckVerdict::unseen || check.verdict == CheckVerdict::too_few) return;
     mapping_->answer(is_right ? "" : words_ + " A finger resting in a corner opens the operator's panel.");

@@ -43,6 +43,20 @@ TEST_F(Units, VerifySaysNothing) {
     EXPECT_EQ(result.out + result.err, "");
 }
 
+/// What may write and remove there: the reports of faults lie in it.
+TEST_F(Units, TheTableAndItsResetHaveTheFoldersThatTheConfigurationNames) {
+    const auto content = [](const fs::path& path) {
+        std::ifstream file(path);
+        return std::string{std::istreambuf_iterator<char>(file), {}};
+    };
+    const fs::path config = fs::path(TOUCHSTONE_SOURCE_DIR) / "systemd/touchstone.toml";
+    ASSERT_NE(content(config).find("fault_dir = \"/var/log/touchstone\""), std::string::npos);
+    for (const char* unit : {"touchstone.service", "touchstone-factory-reset.service"})
+        for (const char* setting : {"\nStateDirectory=touchstone\n", "\nLogsDirectory=touchstone\n",
+                                    "\nWorkingDirectory=%S/touchstone\n"})
+            EXPECT_NE(content(folder_ / unit).find(setting), std::string::npos) << unit << setting;
+}
+
 /// Of ten, in tenths.
 TEST_F(Units, ExposureIsAtMostOnePointThree) {
     for (const fs::path& unit : units_) {
