@@ -101,6 +101,9 @@ void add_sensor_keys(KeyList& keys, Config& config) {
 }
 
 void add_output_keys(KeyList& keys, Config& config) {
+    keys.section("areas");
+    keys.add("file", config.areas_file,
+             "of named areas with scenes and TUIO sources of their own; empty: the table is one");
     keys.section("tuio");
     keys.add("enabled", config.tuio.enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");

@@ -56,6 +56,7 @@ struct Config {
     InteractionConfig interaction;
     std::string scan_file;    ///< empty: the surroundings are scanned at every start
     std::string object_file;  ///< scan of an object that is followed in hands; empty: none
+    std::string areas_file;   ///< named parts of the table; empty: it is one
     std::string bias_file;    ///< of touches; empty: none is taken off
     TuioConfig tuio;
     bool web_socket_enabled = false;

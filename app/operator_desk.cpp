@@ -53,10 +53,13 @@ Thumbnail mask_thumbnail(std::span<const std::uint8_t> map, PixelSize size) {
 
 OperatorWish OperatorDesk::take(const OperatorWish& wish) {
     wish_.open = wish.open;
-    return {wish.open, newly_asked(wish_.rescans, wish.rescans),
+    return {wish.open,
+            newly_asked(wish_.rescans, wish.rescans),
             newly_asked(wish_.recalibrations, wish.recalibrations),
             newly_asked(wish_.recordings, wish.recordings),
-            newly_asked(wish_.projector_calibrations, wish.projector_calibrations)};
+            newly_asked(wish_.projector_calibrations, wish.projector_calibrations),
+            newly_asked(wish_.area_lists, wish.area_lists),
+            wish.areas};
 }
 
 void OperatorDesk::note_fault(const std::string& word, const std::string& reason,
@@ -87,6 +90,7 @@ bool OperatorDesk::ends_recording(Time now) {
 
 OperatorView OperatorDesk::view(Time now) const {
     OperatorView view;
+    view.area_lists = wish_.area_lists;
     view.faults.assign(faults_.begin(), faults_.end());
     view.depth = depth_;
     view.mask = mask_;

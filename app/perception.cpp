@@ -8,7 +8,6 @@
 #include "app/reports.hpp"
 #include "app/table_frames.hpp"
 #include "app/touch_bias_file.hpp"
-#include "app/touch_sinks.hpp"
 #include "pipeline/self_test.hpp"
 #include "platform/system/atomic_file.hpp"
 #include "platform/system/log.hpp"
@@ -43,7 +42,8 @@ Perception::Perception(const RunOptions& options)
     : options_(options),
       device_(device_config(options.config)),
       health_(options.config.health),
-      sinks_(make_touch_sinks(options)),
+      areas_(options),
+      outputs_(options, areas_.areas()),
       projector_(options.config.projector) {
     if (options.maps_dir) maps_.emplace(*options.maps_dir);
     if (!options.config.fault_reports.dir.empty()) fault_reports_.emplace(options.config.fault_reports);
@@ -94,7 +94,7 @@ std::optional<TableFrame> Perception::next() {
 
 std::optional<TableFrame> Perception::wait_for_camera() {
     if (!recovery_.may_open(std::chrono::steady_clock::now())) {
-        for (const auto& sink : sinks_) sink->idle();
+        outputs_.idle();
         std::this_thread::sleep_for(std::chrono::milliseconds(read_timeout_ms));
         return last_shown_;
     }
@@ -109,7 +109,7 @@ std::optional<TableFrame> Perception::wait_for_camera() {
                                   ? std::string(error.what()) + "; waiting for one to be plugged in"
                                   : problem);
         }
-        for (const auto& sink : sinks_) sink->idle();
+        outputs_.idle();
         std::this_thread::sleep_for(retry_interval);
         const std::string state = pipeline_ ? "sensor_lost" : "starting";
         return without_frame(state, note);
@@ -130,7 +130,8 @@ TableFrame Perception::process(const DepthFrame& frame) {
     if (!pipeline_ || !same_camera(intrinsics_, frame.intrinsics)) {
         start_pipeline(frame.intrinsics);
     }
-    const InteractionFrame result = pipeline_->see({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
+    InteractionFrame result = pipeline_->see({frame.depth_mm, frame.intrinsics}, frame.timestamp_us);
+    areas_.assign(*pipeline_, result);
     publish(result, frame);
     health_.frame(frame.timestamp_us, camera_->rate_hz(),
                   static_cast<int>(std::ranges::count(result.touches, TouchPhase::down, &TouchEvent::phase)));
@@ -139,6 +140,7 @@ TableFrame Perception::process(const DepthFrame& frame) {
     TableFrame shown =
         make_table_frame(*pipeline_, result, frame, config.scan_frames, shows_camera(config.rendering));
     shown.arrived = start;
+    shown.areas = areas_.shown(*pipeline_, frame.intrinsics);
     show_light(shown.state);
     serve_scene(result, frame.timestamp_us, shown);
     follow_projector(result, frame, shown);
@@ -181,7 +183,9 @@ void Perception::start_pipeline(const Intrinsics& intrinsics) {
         return;
     }
     try {
-        pipeline_->use_scan(load_scan(file));
+        const SavedScan scan = load_scan(file);
+        pipeline_->use_scan(scan);
+        areas_.use_scan(scan.T_g_c);
         log_info("comparing the scan {} with the view", file);
     } catch (const Error& error) {
         log_warning("{}; scanning anew", error.what());
@@ -239,12 +243,12 @@ void Perception::take_crosses(const InteractionFrame& result) {
 }
 
 void Perception::publish(const InteractionFrame& result, const DepthFrame& frame) {
-    TouchReport report = make_report(result, frame.index, frame.timestamp_us);
+    TouchReport report = make_report(result, frame.index, frame.timestamp_us, areas_.areas());
     if (calibrates(result.state)) {
         report.touches.clear();
         report.hovers.clear();
     }
-    for (const auto& sink : sinks_) sink->publish(report);
+    outputs_.publish(report);
     if (!maps_) return;
     maps_->write_map(frame.index, "foreground", frame.width_px, frame.height_px, pipeline_->foreground_map());
     maps_->write_map(frame.index, "touch", frame.width_px, frame.height_px, pipeline_->touch_map());

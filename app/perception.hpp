@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/area_keeper.hpp"
 #include "app/camera_recovery.hpp"
 #include "app/command_line.hpp"
 #include "app/fault_reports.hpp"
@@ -13,13 +14,13 @@
 #include "app/health.hpp"
 #include "app/operator_desk.hpp"
 #include "app/projector_desk.hpp"
+#include "app/touch_outputs.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "pipeline/particle_table.hpp"
 #include "pipeline/scene_view.hpp"
 #include "platform/camera/depth_camera.hpp"
 #include "platform/camera/sensor_session.hpp"
-#include "platform/output/touch_sink.hpp"
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
@@ -95,6 +96,7 @@ class Perception {
     void scan_anew();
     /// Asks for the crosses.
     void calibrate_touches();
+    void change_areas(std::span<const AreaDraft> drafts);
     void record_soon();
     void end_recording_when_due();
     std::shared_ptr<const OperatorView> operator_view() const;
@@ -111,7 +113,8 @@ class Perception {
     std::string light_state_;
     std::unique_ptr<InteractionPipeline> pipeline_;
     std::optional<VolumeSnapshot> object_;  ///< that is followed in hands
-    std::vector<std::unique_ptr<TouchSink>> sinks_;
+    AreaKeeper areas_;
+    TouchOutputs outputs_;
     std::optional<PictureFolder> maps_;
     std::optional<CrossStep> crosses_;  ///< until they told the bias of touches
     TouchBias bias_;

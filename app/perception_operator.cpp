@@ -14,6 +14,7 @@ void Perception::take(TableWish wish) {
     if (asked.recalibrations > 0) calibrate_touches();
     if (asked.recordings > 0) record_soon();
     if (asked.projector_calibrations > 0) calibrate_projector();
+    if (asked.area_lists > 0) change_areas(asked.areas);
 }
 
 void Perception::note_fault(const std::string& word, const std::string& reason) {
@@ -73,6 +74,13 @@ void Perception::follow_projector(const InteractionFrame& result, const DepthFra
     if (shown.note.empty()) shown.note = projector_.note();
 }
 
+/// Fingers that touch now belonged to the old ones.
+void Perception::change_areas(std::span<const AreaDraft> drafts) {
+    if (!pipeline_ || !pipeline_->area()) return;
+    release_touches();
+    if (areas_.change(drafts, *pipeline_->area())) outputs_.set_areas(areas_.areas());
+}
+
 void Perception::record_soon() {
     if (!fault_reports_ || desk_.records()) return;
     log_info("the operator records ten seconds");
@@ -94,6 +102,8 @@ std::shared_ptr<const OperatorView> Perception::operator_view() const {
     for (const StageSummary& stage : scene_times_.summary()) view->stages.push_back(stage);
     view->can_calibrate_projector = projector_.can_calibrate();
     view->projector = projector_.words();
+    view->can_change_areas = areas_.can_change();
+    view->areas = areas_.words();
     view->can_record = fault_reports_ && !desk_.records();
     if (!fault_reports_) view->recording = "To record, name a folder: [health] fault_dir";
     return view;

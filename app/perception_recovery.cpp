@@ -68,7 +68,7 @@ void Perception::drop_camera() {
 
 void Perception::release_touches() {
     if (pipeline_) pipeline_->release_touches();
-    for (const auto& sink : sinks_) sink->release_all();
+    outputs_.release_all();
 }
 
 std::optional<CameraFault> Perception::fault_of(DepthFrame& frame) {
@@ -106,7 +106,7 @@ TableFrame Perception::without_camera(const std::string& reason) {
 
 TableFrame Perception::without_good_frame(const CameraFault& fault) {
     if (camera_->can_return() && camera_->pace() == Pace::live) help_camera(fault);
-    for (const auto& sink : sinks_) sink->idle();
+    outputs_.idle();
     if (recovery_.ailing() && pipeline_) return without_frame("sensor_lost", std::string(fault.text));
     return last_shown_.state.empty() ? without_frame("starting", "") : last_shown_;
 }

@@ -9,12 +9,15 @@ std::array<double, 3> to_mm(const Eigen::Vector3f& point_m) {
     return {point_mm.x(), point_mm.y(), point_mm.z()};
 }
 
-ReportedFinger to_finger(const Fingertip& tip) {
+ReportedFinger to_finger(const Fingertip& tip, std::span<const NamedArea> areas) {
     ReportedFinger finger;
     finger.id = tip.id;
     finger.camera_mm = to_mm(tip.surface_c_m);
     finger.surface = {tip.area_uv.x(), tip.area_uv.y()};
     finger.height_mm = 1000.0 * static_cast<double>(tip.height_m);
+    if (tip.area < 0 || tip.area >= std::ssize(areas)) return finger;
+    finger.area = areas[static_cast<std::size_t>(tip.area)].name;
+    finger.area_surface = {tip.named_uv.x(), tip.named_uv.y()};
     return finger;
 }
 
@@ -66,13 +69,14 @@ const char* state_word(InteractionState state) {
     return "live";
 }
 
-TouchReport make_report(const InteractionFrame& frame, int index, std::uint64_t time_us) {
+TouchReport make_report(const InteractionFrame& frame, int index, std::uint64_t time_us,
+                        std::span<const NamedArea> areas) {
     TouchReport report{index, time_us, state_word(frame.state), {}, {}};
     for (const TouchEvent& touch : frame.touches) {
-        report.touches.push_back(to_finger(touch.tip));
+        report.touches.push_back(to_finger(touch.tip, areas));
         report.touches.back().phase = to_phase(touch.phase);
     }
-    for (const HoverEvent& hover : frame.hovers) report.hovers.push_back(to_finger(hover.tip));
+    for (const HoverEvent& hover : frame.hovers) report.hovers.push_back(to_finger(hover.tip, areas));
     if (frame.held) report.object = to_object(*frame.held);
     return report;
 }

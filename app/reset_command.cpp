@@ -5,6 +5,8 @@
 #include <string>
 #include <system_error>
 
+#include "ui/scene_setup.hpp"
+
 namespace touchstone {
 
 namespace {
@@ -15,6 +17,17 @@ class Remover {
   public:
     void file(const std::string& name) {
         if (!name.empty()) remove(name);
+    }
+    /// With those of areas, also of areas that are there no more.
+    void paintings(const std::string& name) {
+        if (name.empty()) return;
+        remove(name);
+        const fs::path table(name);
+        const std::string prefix = table.filename().string() + area_painting_suffix;
+        const fs::path folder = table.has_parent_path() ? table.parent_path() : fs::path(".");
+        std::error_code none;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+            if (entry.path().filename().string().starts_with(prefix)) remove(entry.path());
     }
     /// Reports of a folder that may hold other things, too.
     void reports(const std::string& folder) {
@@ -46,8 +59,9 @@ ExitStatus reset_command(const ResetOptions& options) {
     const Config& config = options.config;
     Remover remover;
     for (const std::string& file :
-         {config.scan_file, config.bias_file, config.projector.file, config.display.painting_file})
+         {config.scan_file, config.bias_file, config.projector.file, config.areas_file})
         remover.file(file);
+    remover.paintings(config.display.painting_file);
     remover.reports(config.fault_reports.dir);
     if (!remover.failure().empty()) throw Error(ExitStatus::io_error, remover.failure());
     if (remover.removed() == 0) std::printf("nothing to remove\n");

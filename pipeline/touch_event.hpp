@@ -27,6 +27,8 @@ struct Fingertip {
     Eigen::Vector3f normal_c{0.f, 0.f, 0.f};     ///< camera frame: of the surface there
     Eigen::Vector3f axis_c{0.f, 0.f, 0.f};       ///< camera frame, unit length, from the tip to the hand
     FingerState state = FingerState::away;
+    int area = -1;                       ///< of the table's named ones; -1: none of them
+    Eigen::Vector2f named_uv{0.f, 0.f};  ///< in that area
 };
 
 /// A finger in contact; a hidden one goes on as `move` at its last place. `up` is sent once, in the first

@@ -55,6 +55,7 @@ void ButtonRow::lay_out(const Canvas& canvas, const ViewMapping& view, const Sur
     const float s = canvas.scale(), per_px = 1.f / view.display_px_per_px;
     const float mm_per_px = surface.mm_per_px(box_of(1.f).center());
     const float wanted = std::max(button_mm / mm_per_px, least_px * s * per_px);
+    label_height_px_ = widest_label_px(canvas, buttons_).y();
     const Vector2f label = widest_label_px(canvas, buttons_) * per_px;
     RowSizes sizes = row_sizes(wanted, std::max(wanted, label.x() + 2.f * label_room_px * s * per_px),
                                wanted + label.y() + label_gap_px * s * per_px);
@@ -155,7 +156,7 @@ void ButtonRow::draw_button(Canvas& canvas, const ViewMapping& view, const Butto
     if (button.selected) canvas.box(rect.min_px, rect.max_px, corner, style::white.faded(0.16f));
     if (pressed) canvas.box(rect.min_px, rect.max_px, corner, style::accent.faded(0.45f));
     const Vector2f label = canvas.text_size_px(TextStyle::caption, button.label);
-    const float icon_room = rect.size_px().y() - (shows_labels_ ? label.y() + label_gap_px * s : 0.f);
+    const float icon_room = rect.size_px().y() - (shows_labels_ ? label_height_px_ + label_gap_px * s : 0.f);
     const Vector2f center(rect.center_px().x(), rect.min_px.y() + 0.5f * icon_room);
     const float opacity = button.enabled ? 1.f : 0.3f;
     draw_icon(canvas, button.icon, center, icon_share * icon_room, button.color.faded(opacity), button.fill);
@@ -166,7 +167,8 @@ void ButtonRow::draw_button(Canvas& canvas, const ViewMapping& view, const Butto
     if (const float share = held_share(button.id); share > 0.f)
         canvas.arc(center, 0.43f * icon_room, style::ring_px * s, 0.f, share, style::white);
     if (!shows_labels_) return;
-    canvas.text(TextStyle::caption, {center.x() - 0.5f * label.x(), rect.max_px.y() - label.y() - 4.f * s},
+    canvas.text(TextStyle::caption,
+                {center.x() - 0.5f * label.x(), rect.max_px.y() - label_height_px_ - 4.f * s},
                 style::text.faded(opacity), button.label);
 }
 

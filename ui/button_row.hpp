@@ -74,6 +74,7 @@ class ButtonRow {
     std::vector<Eigen::AlignedBox2f> places_px_;  // of buttons_
     Eigen::AlignedBox2f card_px_;
     bool shows_labels_ = false;
+    float label_height_px_ = 0.f;  // of the highest, on the display
     std::map<int, Finger> fingers_;
     std::map<int, std::uint64_t> left_us_;  // by button: when a finger left it
     std::vector<int> pressed_;

@@ -88,4 +88,10 @@ void Canvas::box(const Eigen::Vector2f& min_px, const Eigen::Vector2f& max_px, f
     list_->AddRectFilled(im(min_px), im(max_px), color.packed(), corner_px);
 }
 
+void Canvas::begin_clip(const Eigen::Vector2f& min_px, const Eigen::Vector2f& max_px) {
+    list_->PushClipRect({min_px.x(), min_px.y()}, {max_px.x(), max_px.y()}, true);
+}
+
+void Canvas::end_clip() { list_->PopClipRect(); }
+
 }  // namespace touchstone

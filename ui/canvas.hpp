@@ -41,6 +41,9 @@ class Canvas {
     void line(const Eigen::Vector2f& a_px, const Eigen::Vector2f& b_px, float width_px, style::Color color);
     void box(const Eigen::Vector2f& min_px, const Eigen::Vector2f& max_px, float corner_px,
              style::Color color);
+    /// Until end_clip nothing is drawn outside that box.
+    void begin_clip(const Eigen::Vector2f& min_px, const Eigen::Vector2f& max_px);
+    void end_clip();
 
   private:
     struct SharedData;

@@ -126,7 +126,30 @@ void draw_rescan(const Pen& pen) {
     pen.fill(head);
 }
 
-/// The mark that calibration asks to touch.
+/// Two parts of a table.
+void draw_areas(const Pen& pen) {
+    const std::array left{Vector2f(-0.44f, -0.34f), Vector2f(-0.02f, -0.34f), Vector2f(-0.14f, 0.34f),
+                          Vector2f(-0.44f, 0.34f)};
+    pen.path(left, true);
+    const std::array right{Vector2f(0.14f, -0.34f), Vector2f(0.44f, -0.34f), Vector2f(0.44f, 0.34f),
+                           Vector2f(0.02f, 0.34f)};
+    pen.fill(right);
+}
+
+void draw_finish(const Pen& pen) {
+    const std::array tick{Vector2f(-0.4f, 0.02f), Vector2f(-0.12f, 0.3f), Vector2f(0.4f, -0.3f)};
+    pen.path(tick, false);
+}
+
+/// Up and down.
+void draw_other_edge(const Pen& pen) {
+    pen.line({0.f, -0.2f}, {0.f, 0.2f});
+    const std::array up{Vector2f(-0.2f, -0.18f), Vector2f(0.f, -0.46f), Vector2f(0.2f, -0.18f)};
+    pen.fill(up);
+    const std::array down{Vector2f(-0.2f, 0.18f), Vector2f(0.f, 0.46f), Vector2f(0.2f, 0.18f)};
+    pen.fill(down);
+}
+
 /// A box that throws light on a surface under it.
 void draw_projector(const Pen& pen) {
     const std::array box{Vector2f(-0.22f, -0.44f), Vector2f(0.22f, -0.44f), Vector2f(0.22f, -0.18f),
@@ -137,6 +160,7 @@ void draw_projector(const Pen& pen) {
     pen.line({-0.46f, 0.4f}, {0.46f, 0.4f});
 }
 
+/// The mark that calibration asks to touch.
 void draw_cross(const Pen& pen) {
     pen.ring(0.f, 0.f, 0.3f);
     pen.line({-0.46f, 0.f}, {0.46f, 0.f});
@@ -255,6 +279,12 @@ void draw_icon(Canvas& canvas, Icon icon, const Vector2f& center_px, float side_
             return draw_cross(pen);
         case Icon::projector:
             return draw_projector(pen);
+        case Icon::areas:
+            return draw_areas(pen);
+        case Icon::finish:
+            return draw_finish(pen);
+        case Icon::other_edge:
+            return draw_other_edge(pen);
         case Icon::record:
             return draw_record(pen);
         case Icon::close:

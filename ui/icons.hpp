@@ -27,6 +27,9 @@ enum class Icon {
     rescan,
     cross,
     projector,
+    areas,
+    finish,
+    other_edge,
     record,
     close,
 };

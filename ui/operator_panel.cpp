@@ -20,15 +20,19 @@ Button make_button(OperatorButton what, Icon icon, std::string label, bool is_he
 
 }  // namespace
 
-OperatorPanel::OperatorPanel() { row_.set(buttons()); }
+OperatorPanel::OperatorPanel(std::vector<std::string> scenes) : scenes_(std::move(scenes)) {
+    row_.set(buttons());
+}
 
 /// What cannot be undone is held.
 std::vector<Button> OperatorPanel::buttons() const {
     std::vector<Button> all{make_button(OperatorButton::rescan, Icon::rescan, "Scan anew", true),
-                            make_button(OperatorButton::recalibrate, Icon::cross, "Calibrate touch", true)};
+                            make_button(OperatorButton::recalibrate, Icon::cross, "Calibrate\ntouch", true)};
     if (view_ && view_->can_calibrate_projector)
         all.push_back(
-            make_button(OperatorButton::calibrate_projector, Icon::projector, "Calibrate projector", true));
+            make_button(OperatorButton::calibrate_projector, Icon::projector, "Calibrate\nprojector", true));
+    all.push_back(make_button(OperatorButton::areas, Icon::areas, "Areas", false));
+    all.back().enabled = view_ && view_->can_change_areas;
     Button& record =
         all.emplace_back(make_button(OperatorButton::record, Icon::record, "Record 10 s", false));
     record.color = style::bad;
@@ -45,7 +49,10 @@ bool OperatorPanel::on_touch(const TouchEvent& event) {
         fingers_.insert(event.tip.id);
         touched_us_ = now_us_;
     }
-    row_.on_touch(event);
+    if (editor_)
+        editor_->on_touch(event);
+    else
+        row_.on_touch(event);
     if (event.phase == TouchPhase::up) fingers_.erase(event.tip.id);
     return true;
 }
@@ -59,7 +66,8 @@ bool OperatorPanel::update(const TableFrame& frame, const SurfaceGeometry& surfa
         mask_.set(view_->mask);
     }
     for (const int id : row_.update(now_us_)) press(static_cast<OperatorButton>(id));
-    if (is_open() && now_us_ - touched_us_ > stays_open_us) wish_.open = false;
+    if (editor_ && view_ && !editor_->update(frame, *view_, wish_)) editor_.reset();
+    if (is_open() && now_us_ - touched_us_ > stays_open_us) leave();
     const bool opens = corner_press_.update(frame, surface) && !is_open();
     if (opens) open(now_us_);
     return opens;
@@ -72,19 +80,28 @@ void OperatorPanel::press(OperatorButton button) {
             break;
         case OperatorButton::recalibrate:
             ++wish_.recalibrations;
-            wish_.open = false;
+            leave();
             break;
         case OperatorButton::calibrate_projector:
             ++wish_.projector_calibrations;
-            wish_.open = false;
+            leave();
+            break;
+        case OperatorButton::areas:
+            row_.cancel();
+            editor_.emplace(scenes_);
             break;
         case OperatorButton::record:
             ++wish_.recordings;
             break;
         case OperatorButton::close:
-            wish_.open = false;
+            leave();
             break;
     }
+}
+
+void OperatorPanel::leave() {
+    wish_.open = false;
+    editor_.reset();
 }
 
 void OperatorPanel::open(std::uint64_t now_us) {
@@ -94,7 +111,7 @@ void OperatorPanel::open(std::uint64_t now_us) {
 
 void OperatorPanel::toggle() {
     if (is_open())
-        wish_.open = false;
+        leave();
     else
         open(now_us_);
 }
@@ -102,13 +119,23 @@ void OperatorPanel::toggle() {
 void OperatorPanel::cancel() {
     corner_press_.cancel();
     row_.cancel();
+    if (editor_) editor_->cancel();
     fingers_.clear();
 }
 
 void OperatorPanel::draw(Canvas& canvas, const ViewMapping& view, const SurfaceGeometry& surface,
                          const TableFrame& frame) {
+    if (editor_) {
+        editor_->draw(canvas, view, surface);
+        return;
+    }
     row_.set(buttons());
     row_.lay_out(canvas, view, surface);
+    draw_card(canvas, view, frame);
+    row_.draw(canvas, view);
+}
+
+void OperatorPanel::draw_card(Canvas& canvas, const ViewMapping& view, const TableFrame& frame) {
     const float margin = 0.5f * style::margin_px * canvas.scale();
     const Eigen::Vector2f room_min = view.rect.min_px + Eigen::Vector2f(margin, margin);
     const float bottom = view.to_display(row_.card_px().min()).y() - margin;
@@ -116,10 +143,10 @@ void OperatorPanel::draw(Canvas& canvas, const ViewMapping& view, const SurfaceG
     draw_operator_card(canvas, layout, frame, view_ ? *view_ : OperatorView());
     depth_box_ = layout.depth_box(canvas.scale());
     mask_box_ = layout.mask_box(canvas.scale());
-    row_.draw(canvas, view);
 }
 
 void OperatorPanel::draw_pictures(PixelSize display) const {
+    if (editor_) return;
     depth_.draw(depth_box_, display);
     mask_.draw(mask_box_, display);
 }

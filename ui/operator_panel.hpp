@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 
+#include "ui/area_editor.hpp"
 #include "ui/button_row.hpp"
 #include "ui/corner_press.hpp"
 #include "ui/operator_view.hpp"
@@ -10,14 +11,15 @@
 
 namespace touchstone {
 
-enum class OperatorButton { rescan, recalibrate, calibrate_projector, record, close };
+enum class OperatorButton { rescan, recalibrate, calibrate_projector, areas, record, close };
 
 /// What whoever looks after the table wants to know and to do, over everything. It is opened by a finger that
 /// rests in a corner of the area, or by a key, and closed by its button or after a minute. Lives and dies
 /// while its context is current.
 class OperatorPanel {
   public:
-    OperatorPanel();
+    /// Scenes that named areas may have.
+    explicit OperatorPanel(std::vector<std::string> scenes = {});
 
     /// True when the finger is the panel's: while it is open, all are.
     bool on_touch(const TouchEvent& event);
@@ -36,13 +38,19 @@ class OperatorPanel {
     void draw_pictures(PixelSize display) const;
     /// In the depth picture, as drawn last.
     Eigen::AlignedBox2f place_px(OperatorButton button) const;
+    /// While named areas are changed, else null.
+    const AreaEditor* area_editor() const { return editor_ ? &*editor_ : nullptr; }
 
   private:
     void open(std::uint64_t now_us);
     void press(OperatorButton button);
+    void leave();
     std::vector<Button> buttons() const;
+    void draw_card(Canvas& canvas, const ViewMapping& view, const TableFrame& frame);
 
+    std::vector<std::string> scenes_;
     OperatorWish wish_;
+    std::optional<AreaEditor> editor_;
     CornerPress corner_press_;
     ButtonRow row_{RowEdge::bottom};
     std::set<int> fingers_;  ///< that came down while it was open

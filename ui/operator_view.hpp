@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,9 +25,19 @@ struct OperatorView {
     bool can_record = false;
     bool can_calibrate_projector = false;  ///< there is one, and a file to keep it in
     std::string projector;                 ///< what became of its last calibration or check
+    bool can_change_areas = false;         ///< there is a file to keep them in
+    int area_lists = 0;                    ///< how many of the operator's lists have been looked at
+    std::string areas;                     ///< why the last one was refused; empty: it was not
     std::string recording;                 ///< how far it is, where the last one lies, or why there is none
     Thumbnail depth;                       ///< near is bright, nothing measured is black
     Thumbnail mask;                        ///< the foreground is white
+};
+
+/// A named area as the operator wants it.
+struct AreaDraft {
+    std::string name;                           ///< empty: a new one
+    std::string scene;                          ///< empty: the table's
+    std::vector<Eigen::Vector2f> corners_uv{};  ///< of a new one: shares of the interactive area's axes
 };
 
 /// What the operator asks of the perception loop: how often up to now.
@@ -36,6 +47,8 @@ struct OperatorWish {
     int recalibrations = 0;  ///< of touches
     int recordings = 0;      ///< of the 10 s to come
     int projector_calibrations = 0;
+    int area_lists = 0;  ///< the last of which is areas
+    std::vector<AreaDraft> areas{};
 };
 
 }  // namespace touchstone

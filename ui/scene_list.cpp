@@ -1,5 +1,6 @@
 #include "ui/scene_list.hpp"
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -27,13 +28,17 @@ struct SceneRow {
     const char* name;
     std::unique_ptr<Scene> (*make)(const SceneSetup&);
     bool for_screens_only = false;
+    bool wants_view = false, wants_particles = false;
 };
 
 /// In the order of the menu.
 constexpr std::array rows{
-    SceneRow{"paint", make<PaintScene>},           SceneRow{"particles", make<ParticlesScene>},
-    SceneRow{"mirror", make<MirrorScene>, true},   SceneRow{"photos", make<PhotosScene>},
-    SceneRow{"inspect", make<InspectScene>, true}, SceneRow{"attract", make<AttractScene>},
+    SceneRow{.name = "paint", .make = make<PaintScene>},
+    SceneRow{.name = "particles", .make = make<ParticlesScene>, .wants_particles = true},
+    SceneRow{.name = "mirror", .make = make<MirrorScene>, .for_screens_only = true, .wants_view = true},
+    SceneRow{.name = "photos", .make = make<PhotosScene>},
+    SceneRow{.name = "inspect", .make = make<InspectScene>, .for_screens_only = true, .wants_view = true},
+    SceneRow{.name = "attract", .make = make<AttractScene>},
 };
 
 bool is_for(const SceneRow& row, ScenePlace place) {
@@ -48,6 +53,22 @@ std::vector<std::string> scene_names(ScenePlace place) {
     for (const SceneRow& row : rows)
         if (is_for(row, place)) names.emplace_back(row.name);
     return names;
+}
+
+std::string conflict_of(std::span<const std::string> scenes) {
+    for (const auto wants : {&SceneRow::wants_view, &SceneRow::wants_particles}) {
+        const std::string* first = nullptr;
+        for (const std::string& scene : scenes) {
+            if (!std::ranges::any_of(rows,
+                                     [&](const SceneRow& row) { return scene == row.name && row.*wants; }))
+                continue;
+            if (first != nullptr && *first == scene) return "The scene " + scene + " can be in one area only";
+            if (first != nullptr)
+                return "The scenes " + *first + " and " + scene + " cannot be in two areas at once";
+            first = &scene;
+        }
+    }
+    return {};
 }
 
 std::unique_ptr<Scene> make_scene(const std::string& name, const SceneSetup& setup, ScenePlace place) {

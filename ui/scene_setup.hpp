@@ -16,6 +16,9 @@ struct PictureStream {
     std::function<std::optional<Picture>()> next;  ///< none after the last
 };
 
+/// Between the name of the table's painting and that of an area, in the name of the file of that one's.
+inline const std::string area_painting_suffix = ".of-";
+
 /// What scenes are made with.
 struct SceneSetup {
     std::shared_ptr<const MeshModel> model;      ///< that stands in the scene mirror; null: its own

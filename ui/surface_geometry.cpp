@@ -16,6 +16,7 @@ constexpr float assumed_view_width_m = 1.088f;
 constexpr float nearest_m = 0.2f, farthest_m = 10.f;                // or twice as far as the area
 constexpr float edge_mm = 8.f;                                      // between a row and the edge of the area
 constexpr float least_row_width = 0.35f, least_rows_height = 0.4f;  // of the view's
+constexpr float part_of_table = 0.25f;                              // of these, for one of several areas
 
 Intrinsics assumed_intrinsics(PixelSize view) {
     const float focal_px = static_cast<float>(view.width_px) * assumed_depth_m / assumed_view_width_m;
@@ -42,10 +43,11 @@ SurfaceGeometry::SurfaceGeometry(const TableFrame& frame, PixelSize view)
     const auto height = static_cast<float>(view.height_px), width = static_cast<float>(view.width_px);
     top_px_ = std::max(y_px[1], 0.f);
     bottom_px_ = std::min(y_px[2], height - 1.f);
-    if (bottom_px_ - top_px_ < least_rows_height * height) return;
+    const float share = frame.is_part ? part_of_table : 1.f;
+    if (bottom_px_ - top_px_ < share * least_rows_height * height) return;
     const auto wide = [&](float at_px) {
         const auto span = span_px(at_px);
-        return span && span->y() - span->x() >= least_row_width * width;
+        return span && span->y() - span->x() >= share * least_row_width * width;
     };
     rows_in_area_ = wide(top_px_ + 1.f) && wide(bottom_px_ - 1.f);
 }

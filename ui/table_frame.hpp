@@ -20,6 +20,17 @@
 
 namespace touchstone {
 
+/// A named part of the table, as the frame's camera sees it.
+struct ShownArea {
+    std::string name;
+    std::string scene;  ///< empty: the table's
+    std::vector<Eigen::Vector3f> corners_c_m;
+    std::vector<Eigen::Vector2f> corners_px;
+    std::vector<int> triangles;                ///< corner numbers, three by three, that cover it
+    InteractiveArea area;                      ///< the rectangle about it
+    std::array<Eigen::Vector2f, 4> area_px{};  ///< the corners of that
+};
+
 /// What the perception loop hands to the presentation loop through the mailbox: the latest result only. Touch
 /// events are the exception: the mailbox keeps those of frames that were never drawn, so that no stroke is
 /// torn.
@@ -40,6 +51,8 @@ struct TableFrame {
         area_px{};  ///< corners of the interactive area in the view, in order around it
     bool has_area = false;
     InteractiveArea area;                               ///< where there is one
+    std::vector<ShownArea> areas;                       ///< none: the table is one
+    bool is_part = false;                               ///< has_area, and it is that of one of several
     Intrinsics intrinsics{};                            ///< of the depth camera
     RigidTransform T_g_c = RigidTransform::Identity();  ///< the camera's pose in the scan
     std::shared_ptr<const ParticleView> particles;      ///< while the scene wishes them, else null

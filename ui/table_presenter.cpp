@@ -12,6 +12,7 @@
 #include "ui/operator_panel.hpp"
 #include "ui/scenes/attract.hpp"
 #include "ui/scenes/scan_progress.hpp"
+#include "ui/scenes/split.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/surface_compositor.hpp"
 #include "ui/touch_menu.hpp"
@@ -30,6 +31,18 @@ void draw_area(Canvas& canvas, const ViewMapping& view, const std::array<Eigen::
                     1.5f * canvas.scale(), style::white.faded(0.35f));
 }
 
+/// Within the view: they may be larger.
+void draw_areas(Canvas& canvas, const ViewMapping& view, const std::vector<ShownArea>& areas) {
+    canvas.begin_clip(view.rect.min_px, view.rect.max_px);
+    for (const ShownArea& area : areas) {
+        for (std::size_t i = 0; i < area.corners_px.size(); ++i)
+            canvas.line(view.to_display(area.corners_px[i]),
+                        view.to_display(area.corners_px[(i + 1) % area.corners_px.size()]),
+                        1.5f * canvas.scale(), style::white.faded(0.35f));
+    }
+    canvas.end_clip();
+}
+
 void draw_empty_view(Canvas& canvas, const DisplayRect& rect) {
     canvas.box(rect.min_px, rect.max_px, style::corner_px * canvas.scale(), style::card.faded(0.6f));
 }
@@ -37,7 +50,8 @@ void draw_empty_view(Canvas& canvas, const DisplayRect& rect) {
 }  // namespace
 
 struct TablePresenter::Parts {
-    explicit Parts(bool projected) : compositor(projected ? SurfaceCompositor(1.f) : SurfaceCompositor()) {}
+    explicit Parts(bool projected, ScenePlace place)
+        : panel(scene_names(place)), compositor(projected ? SurfaceCompositor(1.f) : SurfaceCompositor()) {}
 
     std::string scene_name;
     std::unique_ptr<Scene> scene;
@@ -55,13 +69,14 @@ struct TablePresenter::Parts {
     Layout layout;
     PixelSize view_size{};
     bool scanning = false;
-    int versions_before = 0;  // of pictures that scenes before this one wished for
+    SplitScene* split = nullptr;  // scene, where the table has several areas
+    int versions_before = 0;      // of pictures that scenes before this one wished for
 };
 
 TablePresenter::TablePresenter(Display& display, const std::string& scene_name, const PresenterConfig& config)
     : display_(display), config_(config) {
     auto scene = make_scene(scene_name, config.scenes, place());
-    parts_ = std::make_unique<Parts>(config.projected);
+    parts_ = std::make_unique<Parts>(config.projected, place());
     parts_->scene = std::move(scene);
     parts_->scene_name = scene_name;
     if (config.menu) parts_->menu.emplace(scene_names(place()));
@@ -108,6 +123,7 @@ void TablePresenter::take_in(const TableFrame& told) {
     }
     const TableFrame& frame = has_old_picture ? without_picture : told;
     p.compositor.set_view(frame.view);
+    split_table(frame);
     start_scene(frame);
     p.surface = SurfaceGeometry(frame, p.view_size);
     p.scene->show(frame);
@@ -173,14 +189,40 @@ void TablePresenter::take_keys() {
         if (*key == 'o') parts_->panel.toggle();
 }
 
-/// The old scene is gone before the new one is there. Fingers on the surface do nothing in the new one.
 void TablePresenter::change_scene(const std::string& name, const TableFrame& frame) {
+    if (name == parts_->scene_name) return;
+    replace_scene([&] { return make_scene(name, config_.scenes, place()); }, frame);
+    parts_->scene_name = name;
+}
+
+/// The scenes of areas are theirs: there is no menu then.
+void TablePresenter::split_table(const TableFrame& frame) {
     Parts& p = *parts_;
-    if (name == p.scene_name) return;
+    if (p.split != nullptr && !frame.areas.empty()) return p.split->set_areas(frame);
+    if (p.split == nullptr && frame.areas.empty()) return;
+    const bool is_waiting = frame.areas.empty() && frame.state != "live";
+    if (is_waiting) return;
+    p.split = nullptr;
+    replace_scene(
+        [&]() -> std::unique_ptr<Scene> {
+            if (frame.areas.empty()) return make_scene(p.scene_name, config_.scenes, place());
+            auto split = std::make_unique<SplitScene>(p.scene_name, config_.scenes, place());
+            split->set_areas(frame);
+            p.split = split.get();
+            return split;
+        },
+        frame);
+    p.menu.reset();
+    if (config_.menu && p.split == nullptr) p.menu.emplace(scene_names(place()));
+}
+
+/// The old scene is gone before the new one is there. Fingers on the surface do nothing in the new one.
+void TablePresenter::replace_scene(const std::function<std::unique_ptr<Scene>()>& make,
+                                   const TableFrame& frame) {
+    Parts& p = *parts_;
     if (const auto view = p.scene->wish().view) p.versions_before += view->version + 1;
     p.scene.reset();
-    p.scene = make_scene(name, config_.scenes, place());
-    p.scene_name = name;
+    p.scene = make();
     if (p.view_size.width_px > 0) p.scene->start(p.view_size);
     TableFrame first = frame;
     first.rendered = nullptr;
@@ -245,7 +287,9 @@ void TablePresenter::draw_scene(const TableFrame& frame) {
                                            p.fingers.touching_ids());
     // Under the controls: an open menu is as wide as the view.
     if (config_.projected) draw_status_note(p.canvas, p.layout, words);
-    if (frame.has_area && !config_.projected && !p.scene->hides_table())
+    if (!frame.areas.empty() && !config_.projected)
+        draw_areas(p.canvas, view, frame.areas);
+    else if (frame.has_area && !config_.projected && !p.scene->hides_table())
         draw_area(p.canvas, view, frame.area_px);
     if (is_waiting_state(frame)) {
         draw_scan_progress(p.canvas, view.rect, frame, clock_s_);

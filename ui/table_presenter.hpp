@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -50,6 +51,8 @@ class TablePresenter {
     void deliver_to_scene(const TouchEvent& event);
     void take_fingers_from_scene();
     void change_scene(const std::string& name, const TableFrame& frame);
+    void split_table(const TableFrame& frame);
+    void replace_scene(const std::function<std::unique_ptr<Scene>()>& make, const TableFrame& frame);
     void lift_all_fingers();
     void update(float dt_s);
     void draw_all(const TableFrame& frame);

@@ -73,6 +73,17 @@ class Mover {
         tip.axis_c = T_v_c_.linear() * tip.axis_c;
     }
 
+    void move(ShownArea& area) const {
+        area.area = transformed(T_v_c_, area.area);
+        const auto around = corners(area.area);
+        for (std::size_t i = 0; i < around.size(); ++i)
+            area.area_px[i] = project(view_->intrinsics, around[i]);
+        for (std::size_t i = 0; i < area.corners_c_m.size(); ++i) {
+            area.corners_c_m[i] = T_v_c_ * area.corners_c_m[i];
+            area.corners_px[i] = project(view_->intrinsics, area.corners_c_m[i]);
+        }
+    }
+
     void move(CrossGuide& cross) const {
         cross.pixel_px = project(view_->intrinsics, T_v_c_ * seen_point_c_m(*told_, cross.pixel_px));
     }
@@ -101,6 +112,7 @@ void forget_places(TableFrame& frame) {
     frame.has_area = false;
     frame.intrinsics = {};
     frame.T_g_c = RigidTransform::Identity();
+    frame.areas.clear();
     frame.touches.clear();
     frame.hovers.clear();
     frame.cross.reset();
@@ -155,6 +167,7 @@ TableFrame seen_from_above(const TableFrame& told, const ViewFromAbove& view) {
     const auto corners_v_m = corners(frame.area);
     for (std::size_t i = 0; i < corners_v_m.size(); ++i)
         frame.area_px[i] = project(view.intrinsics, corners_v_m[i]);
+    for (ShownArea& area : frame.areas) mover.move(area);
     for (TouchEvent& touch : frame.touches) mover.move(touch.tip);
     for (HoverEvent& hover : frame.hovers) mover.move(hover.tip);
     if (frame.cross) mover.move(*frame.cross);

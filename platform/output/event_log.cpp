@@ -31,6 +31,7 @@ const char* phase_word(ReportedPhase phase) {
 
 void add_place(Json& object, const ReportedFinger& finger) {
     const auto& mm = finger.camera_mm;
+    if (!finger.area.empty()) object["area"] = finger.area;
     object["camera_mm"] = {rounded_mm(mm[0]), rounded_mm(mm[1]), rounded_mm(mm[2])};
     object["surface"] = {rounded_share(finger.surface[0]), rounded_share(finger.surface[1])};
     object["height_mm"] = rounded_mm(finger.height_mm);

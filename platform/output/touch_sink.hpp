@@ -18,6 +18,8 @@ struct ReportedFinger {
     std::array<double, 3> camera_mm{};
     std::array<double, 2> surface{};
     double height_mm = 0.0;
+    std::string area{};                    ///< name; empty: of none, or the table has none
+    std::array<double, 2> area_surface{};  ///< 0..1 over that area
 };
 
 /// A rigid object of known shape in a hand: searching, tracked or lost; where it is while tracked.

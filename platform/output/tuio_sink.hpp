@@ -14,9 +14,10 @@ namespace touchstone {
 class TuioSink : public TouchSink {
   public:
     /// Says the empty table. Clients keep the cursors of each source apart; empty: touchstone@ and the host's
-    /// name. With `unit_height_mm`, which is 1 on the axis z, it is 25Dcur.
+    /// name. With `unit_height_mm`, which is 1 on the axis z, it is 25Dcur. Session ids are not those of a
+    /// source of this process with another `number`, for clients that do not look at sources.
     TuioSink(std::unique_ptr<OscChannel> channel, const std::string& source,
-             std::optional<double> unit_height_mm = {});
+             std::optional<double> unit_height_mm = {}, int number = 0);
     /// Says twice that all touches are over.
     ~TuioSink() override;
     void publish(const TouchReport& report) override;
@@ -31,5 +32,8 @@ class TuioSink : public TouchSink {
     TuioProfile profile_;
     TuioSession session_;
 };
+
+/// touchstone-AREA@ and the host's name, or that of the table with -AREA.
+std::string area_source(const std::string& table_source, const std::string& area);
 
 }  // namespace touchstone

@@ -101,7 +101,9 @@ TEST_F(ServiceRun, WhyItFailedIsKeptForTheFallbackScreenUntilTheNextStart) {
 
 TEST_F(ServiceRun, AResetForgetsWhatTheTableWroteAndKeepsTheRest) {
     const auto write = [&](const std::string& name) { std::ofstream(folder_ / name) << "x"; };
-    for (const char* name : {"table.scan", "finger.bias", "beamer", "painting", "other"}) write(name);
+    for (const char* name : {"table.scan", "finger.bias", "beamer", "painting", "painting.of-left", "areas",
+                             "paintings", "other"})
+        write(name);
     std::filesystem::create_directories(folder_ / "faults/fault-20260101-000000-frozen");
     write("faults/fault-20260101-000000-frozen/frame");
     write("faults/note");
@@ -112,16 +114,16 @@ TEST_F(ServiceRun, AResetForgetsWhatTheTableWroteAndKeepsTheRest) {
     std::ofstream(folder_ / "table.toml")
         << "[scan]\nfile = " << at("table.scan") << "[touch]\nbias_file = " << at("finger.bias")
         << "[projector]\nfile = " << at("beamer") << "[display]\npainting_file = " << at("painting")
-        << "[health]\nfault_dir = " << at("faults");
+        << "[areas]\nfile = " << at("areas") << "[health]\nfault_dir = " << at("faults");
     const std::vector<std::string> reset{TOUCHSTONE_PROGRAM, "reset", "--config",
                                          (folder_ / "table.toml").string()};
     const test::ProgramResult result = test::run_program(reset);
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(std::ranges::count(result.out, '\n'), 5) << result.out;
+    EXPECT_EQ(std::ranges::count(result.out, '\n'), 7) << result.out;
     std::vector<std::string> left;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path()))
         if (entry.is_regular_file()) left.push_back(entry.path().filename().string());
-    EXPECT_THAT(left, testing::UnorderedElementsAre("other", "note", "table.toml"));
+    EXPECT_THAT(left, testing::UnorderedElementsAre("other", "paintings", "note", "table.toml"));
     EXPECT_EQ(test::run_program(reset).out, "nothing to remove\n");
 }
 

@@ -5,6 +5,7 @@
 
 #include "platform/image/png_file.hpp"
 #include "scene_fixture.hpp"
+#include "ui/operator_panel.hpp"
 
 namespace touchstone {
 namespace {
@@ -78,6 +79,46 @@ TEST_F(ReferencePictures, OperatorPanel) {
     tap(frame_.area_px[0] + Vector2f(3.f, 3.f), 2.2f);
     pass(0.3f);
     compare(present(), "operator_panel");
+}
+
+/// Two areas, the left one chosen, and after that three corners of a new one.
+TEST_F(ReferencePictures, Areas) {
+    auto view = std::make_shared<OperatorView>();
+    view->can_change_areas = true;
+    frame_.operating = view;
+    const auto add = [&](const char* name, const char* scene, const std::vector<Vector2f>& corners_px) {
+        ShownArea& area = frame_.areas.emplace_back();
+        area.name = name;
+        area.scene = scene;
+        area.triangles = {0, 1, 2, 0, 2, 3};
+        area.corners_px = corners_px;
+        area.area = frame_.area;
+        area.area_px = frame_.area_px;
+    };
+    add("area-1", "photos", {{25.f, 50.f}, {110.f, 40.f}, {120.f, 170.f}, {30.f, 175.f}});
+    add("area-2", "", {{215.f, 40.f}, {300.f, 55.f}, {290.f, 170.f}, {205.f, 175.f}});
+    open("paint");
+    tap(frame_.area_px[0] + Vector2f(3.f, 3.f), 2.2f);
+    const Layout layout = make_layout(display_size, view_size);
+    Canvas canvas;
+    canvas.begin({960.f, 600.f}, layout.scale);
+    OperatorPanel panel;
+    panel.draw(canvas, layout.view, SurfaceGeometry(frame_, view_size), frame_);
+    tap(panel.place_px(OperatorButton::areas).center());
+    const auto touch_of = [&](int area, const Vector2f& place_px) {
+        const int id = ++ids_given_;
+        for (const TouchPhase phase : {TouchPhase::down, TouchPhase::up}) {
+            TouchEvent event = touch(id, phase, place_px);
+            event.tip.area = area;
+            present({event});
+        }
+    };
+    touch_of(0, {70.f, 60.f});
+    compare(present(), "area_chosen");
+    for (const Vector2f& corner : {Vector2f(130.f, 60.f), Vector2f(190.f, 60.f), Vector2f(195.f, 150.f)})
+        touch_of(-1, corner);
+    pass(0.3f);
+    compare(present(), "area_drawn");
 }
 
 TEST_F(ReferencePictures, Menu) {

@@ -90,6 +90,27 @@ TEST_F(ViewFromAboveTest, TouchesStayWhereTheyAreInTheScan) {
     }
 }
 
+TEST_F(ViewFromAboveTest, NamedAreasStayWhereTheyAreInTheScan) {
+    ShownArea part;
+    part.area = {over_area_c_m(0.25f, 0.25f, 0.f), 0.5f * frame_.area.axis_u_c_m,
+                 0.5f * frame_.area.axis_v_c_m};
+    part.corners_c_m = {over_area_c_m(0.25f, 0.25f, 0.f), over_area_c_m(0.75f, 0.25f, 0.f),
+                        over_area_c_m(0.25f, 0.75f, 0.f)};
+    part.corners_px.resize(3);
+    frame_.areas = {part};
+    const TableFrame above = seen_from_above(frame_, view_);
+    const std::array<Vector2f, 3> places{Vector2f(199.5f, 149.5f), Vector2f(599.5f, 149.5f),
+                                         Vector2f(199.5f, 449.5f)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ShownArea& moved = above.areas.at(0);
+        EXPECT_LT((above.T_g_c * moved.corners_c_m[i] - frame_.T_g_c * part.corners_c_m[i]).norm(),
+                  rounding_m);
+        EXPECT_LT((moved.corners_px[i] - places[i]).norm(), rounding_px);
+    }
+    EXPECT_LT((above.areas[0].area_px[2] - Vector2f(599.5f, 449.5f)).norm(), rounding_px);
+    EXPECT_TRUE(seen_from_above(TableFrame(), view_).areas.empty());
+}
+
 /// 5 cm high and 30 cm off the middle: half a pixel, which is half a millimetre.
 TEST_F(ViewFromAboveTest, HeightHardlyMovesAPlace) {
     TouchEvent low, high;

@@ -29,6 +29,14 @@ TEST(EventLine, IsTheLineOfTheContract) {
               R"("hovers":[{"id":4,"camera_mm":[1.0,2.0,800.0],"surface":[0.5,0.5],"height_mm":21.0}]})");
 }
 
+TEST(EventLine, NamesTheAreaOfAFingerThatIsInOne) {
+    TouchReport report{1, 2, "live", {}, {}};
+    report.touches.resize(2);
+    report.touches[1].area = "left";
+    EXPECT_EQ(event_line(report).find("\"area\":\"left\""), event_line(report).rfind("\"area\":"));
+    EXPECT_NE(event_line(report).find("\"area\":\"left\""), std::string::npos);
+}
+
 TEST(EventLine, OfAnEmptyFrameHasEmptyLists) {
     EXPECT_EQ(event_line({.frame = 0, .time_us = 0, .state = "scanning", .touches = {}, .hovers = {}}),
               R"({"frame":0,"time_us":0,"state":"scanning","touches":[],"hovers":[]})");

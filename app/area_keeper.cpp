@@ -1,0 +1,132 @@
+#include "app/area_keeper.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "app/areas_file.hpp"
+#include "app/displays.hpp"
+#include "platform/system/error.hpp"
+#include "platform/system/log.hpp"
+
+namespace touchstone {
+
+namespace {
+
+constexpr float moved_m = 1e-3f, turned_rad = 1e-3f;  // less is no knock
+
+bool is_elsewhere(const RigidTransform& before, const RigidTransform& after) {
+    const RigidTransform T = before.inverse(Eigen::Isometry) * after;
+    return T.translation().norm() > moved_m || Eigen::AngleAxisf(T.linear()).angle() > turned_rad;
+}
+
+}  // namespace
+
+AreaKeeper::AreaKeeper(const RunOptions& options)
+    : file_(options.config.areas_file),
+      table_scene_(options.config.display.scene),
+      on_surface_(throws_on_table(options)) {
+    if (file_.empty()) return;
+    std::error_code none;
+    if (!std::filesystem::exists(file_, none)) {
+        log_info("no areas at {} yet: the table is one", file_);
+        return;
+    }
+    std::vector<NamedArea> areas = load_areas(file_);
+    check_scenes(areas, table_scene_, on_surface_);
+    log_info("{} areas: {}", areas.size(), file_);
+    assignment_ = AreaAssignment(std::move(areas));
+}
+
+void AreaKeeper::assign(const InteractionPipeline& pipeline, InteractionFrame& frame) {
+    if (frame.state == InteractionState::scanning) T_g_c_.reset();
+    if (areas().empty() || !pipeline.area()) return;
+    if (frame.state == InteractionState::live)
+        follow_camera(*pipeline.area(), pipeline.background()->T_g_c());
+    assignment_.assign(*pipeline.area(), frame.touches, frame.hovers);
+}
+
+void AreaKeeper::follow_camera(const InteractiveArea& table, const RigidTransform& T_g_c) {
+    if (!T_g_c_) T_g_c_ = T_g_c;
+    if (!is_elsewhere(*T_g_c_, T_g_c)) return;
+    const RigidTransform T_new_old = T_g_c.inverse(Eigen::Isometry) * *T_g_c_;
+    const InteractiveArea before = transformed(T_new_old.inverse(Eigen::Isometry), table);
+    assignment_ =
+        AreaAssignment(moved(assignment_.areas(), plane_frame(before), T_new_old, plane_frame(table)));
+    T_g_c_ = T_g_c;
+    try {
+        save_areas(file_, assignment_.areas());
+    } catch (const Error& error) {
+        log_warning("{}; after the next start the areas lie beside where they were", error.what());
+    }
+}
+
+std::string AreaKeeper::free_name(const std::vector<NamedArea>& taken) const {
+    for (int number = 1;; ++number) {
+        std::string name = fmt::format("area-{}", number);
+        if (std::ranges::find(taken, name, &NamedArea::name) == taken.end()) return name;
+    }
+}
+
+/// Throws Error{configuration} where a draft is none.
+std::vector<NamedArea> AreaKeeper::areas_of(std::span<const AreaDraft> drafts,
+                                            const InteractiveArea& table) const {
+    const PlaneFrame plane = plane_frame(table);
+    std::vector<NamedArea> kept, all;
+    for (const NamedArea& area : areas())
+        if (std::ranges::find(drafts, area.name, &AreaDraft::name) != drafts.end()) kept.push_back(area);
+    for (const AreaDraft& draft : drafts) {
+        const auto known = std::ranges::find(kept, draft.name, &NamedArea::name);
+        NamedArea& area = all.emplace_back(known != kept.end() ? *known : NamedArea{});
+        area.scene = draft.scene;
+        if (known != kept.end()) continue;
+        kept.push_back(area);
+        area.name = free_name(kept);
+        kept.back().name = area.name;
+        for (const Eigen::Vector2f& uv : draft.corners_uv)
+            area.corners_mm.push_back(
+                place_mm(plane, table.origin_c_m + uv.x() * table.axis_u_c_m + uv.y() * table.axis_v_c_m));
+        if (const std::string fault = fault_of(area.corners_mm); !fault.empty())
+            throw Error(ExitStatus::configuration, fault);
+    }
+    check_scenes(all, table_scene_, on_surface_);
+    return all;
+}
+
+bool AreaKeeper::change(std::span<const AreaDraft> drafts, const InteractiveArea& table) {
+    words_.clear();
+    if (!can_change()) return false;
+    try {
+        std::vector<NamedArea> changed = areas_of(drafts, table);
+        save_areas(file_, changed);
+        assignment_ = AreaAssignment(std::move(changed));
+    } catch (const Error& error) {
+        words_ = error.what();
+        log_warning("the areas stay as they are: {}", words_);
+        return false;
+    }
+    log_info("{} areas: {}", areas().size(), file_);
+    return true;
+}
+
+std::vector<ShownArea> AreaKeeper::shown(const InteractionPipeline& pipeline,
+                                         const Intrinsics& intrinsics) const {
+    std::vector<ShownArea> shown;
+    if (!pipeline.area()) return shown;
+    const PlaneFrame plane = plane_frame(*pipeline.area());
+    for (const NamedArea& named : areas()) {
+        ShownArea& area = shown.emplace_back();
+        area.name = named.name;
+        area.scene = named.scene;
+        area.triangles = triangles_of(named.corners_mm);
+        area.area = bounding_area(plane, named.corners_mm);
+        area.area_px = area_corners_px(area.area, intrinsics);
+        for (const Eigen::Vector2f& corner : named.corners_mm) {
+            area.corners_c_m.push_back(point_c_m(plane, corner));
+            area.corners_px.push_back(project(intrinsics, area.corners_c_m.back()));
+        }
+    }
+    return shown;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/named_areas.hpp"
+
+namespace touchstone {
+
+/// Named areas as a TOML file that people may write, too; none is a table that is one.
+///   [[area]]
+///   name = "left"
+///   scene = "paint"              # optional
+///   source = "left@table"        # of TUIO, optional
+///   corners_mm = [[-300, -200], [0, -200], [0, 200], [-300, 200]]
+/// Throws Error{no_input} where it cannot be read, Error{configuration} with file, line and what is allowed.
+std::vector<NamedArea> load_areas(const std::filesystem::path& path);
+
+/// Whole or not at all. Throws Error{io_error}.
+void save_areas(const std::filesystem::path& path, const std::vector<NamedArea>& areas);
+
+/// Throws Error{configuration} where a scene is not there for the place, or scenes cannot be there together.
+void check_scenes(const std::vector<NamedArea>& areas, const std::string& table_scene, bool on_surface);
+
+}  // namespace touchstone
