@@ -200,6 +200,35 @@ TEST_F(ProjectorDeskRun, AFileOfAnotherResolutionIsSaid) {
     EXPECT_THAT(run.step().note, HasSubstr("1280x800, and shows 640x400"));
 }
 
+/// A camera that was knocked finds itself in the scan again; where it hangs alone the light stays where it was, and
+/// that is looked at.
+TEST_F(ProjectorDeskRun, AfterAKnockTheLightIsLookedAtOnceMore) {
+    write_truth(file_, 12);
+    RunOptions options =
+        table("sim:mixed?projector=1&hands=0&seed=12&knock_s=7&knock_deg=2&knock_mm=15", file_);
+    options.config.interaction.background.volume = InteractionConfig{}.background.volume;
+    RunningTable run(options);
+    run.run_until_panel_says("falls right");
+    const int thrown = std::exchange(run.thrown_frames, 0);
+    ASSERT_GT(thrown, 0);
+    TableFrame frame;
+    for (int i = 0; i < 300 && frame.state != "realigning"; ++i) {
+        frame = run.step();
+        ASSERT_FALSE(frame.thrown) << "before the knock once was enough";
+    }
+    ASSERT_EQ(frame.state, "realigning");
+    for (int i = 0; i < 100 && frame.state != "live"; ++i) frame = run.step();
+    EXPECT_THAT(frame.note, HasSubstr("camera was moved")) << "until it is known";
+    for (int i = 0; i < 300 && !frame.note.empty(); ++i) {
+        frame = run.step();
+        run.thrown_frames += frame.thrown ? 1 : 0;
+    }
+    EXPECT_THAT(frame.note, IsEmpty());
+    EXPECT_THAT(run.step().operating->projector, HasSubstr("falls right"));
+    EXPECT_GT(run.thrown_frames, 0);
+    EXPECT_LT(run.thrown_frames, 60);
+}
+
 /// Hands are over the table all the time: scenes are not disturbed, nothing is measured.
 TEST_F(ProjectorDeskRun, ALookWaitsUntilNobodyIsThere) {
     write_truth(file_, 12);
