@@ -29,8 +29,7 @@ TouchOutputs::TouchOutputs(const RunOptions& options, std::span<const NamedArea>
     const Config& config = options.config;
     const TuioConfig& tuio = config.tuio;
     if (options.events_file) of_table_.push_back(std::make_unique<EventLog>(*options.events_file));
-    if (config.touch_screen_enabled)
-        of_table_.push_back(std::make_unique<UinputSink>(config.touch_screen));
+    if (config.touch_screen_enabled) of_table_.push_back(std::make_unique<UinputSink>(config.touch_screen));
     if (tuio.enabled) ports_.push_back({std::make_shared<UdpChannel>(tuio.host, tuio.port), {}});
     if (tuio.enabled && tuio.hover_port != 0)
         ports_.push_back({std::make_shared<UdpChannel>(tuio.host, tuio.hover_port), tuio.hover_height_mm});
