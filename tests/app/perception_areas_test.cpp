@@ -73,7 +73,8 @@ TEST_F(PerceptionAreas, TheOperatorMakesChangesAndRemovesThem) {
     Perception perception(options_);
     const TableFrame live = step_until(perception, "live");
     EXPECT_THAT(live.areas, IsEmpty());
-    TableFrame frame = ask(perception, {{"", "", left_half}, {"", "paint", {{0.6f, 0.1f}, {0.9f, 0.1f}, {0.7f, 0.5f}}}});
+    TableFrame frame =
+        ask(perception, {{"", "", left_half}, {"", "paint", {{0.6f, 0.1f}, {0.9f, 0.1f}, {0.7f, 0.5f}}}});
     ASSERT_THAT(frame.areas, SizeIs(2));
     EXPECT_EQ(frame.areas[0].name, "area-1");
     EXPECT_EQ(frame.areas[1].name, "area-2");
@@ -158,6 +159,23 @@ TEST_F(PerceptionAreas, TouchesAreOfTheAreaInWhichTheyComeDown) {
     EXPECT_LT(close, 2);
     EXPECT_GE(downs["left"], 2);
     EXPECT_GE(downs["right"], 2);
+}
+
+TEST_F(PerceptionAreas, ATouchEndsWhereTheAreasChange) {
+    options_.config.sensor_uri = "sim:flat?hands=2&seed=5";
+    options_.config.interaction = {};
+    Perception perception(options_);
+    step_until(perception, "live");
+    std::vector<TouchEvent> touches;
+    for (int i = 0; i < 300 && touches.empty(); ++i) {
+        touches = perception.step()->touches;
+        std::erase_if(touches, [](const TouchEvent& touch) { return touch.phase == TouchPhase::up; });
+    }
+    ASSERT_THAT(touches, SizeIs(1));
+    const TableFrame frame = ask(perception, {{"", "", left_half}});
+    ASSERT_THAT(frame.areas, SizeIs(1));
+    for (const TouchEvent& touch : frame.touches)
+        EXPECT_TRUE(touch.tip.id != touches[0].tip.id || touch.phase == TouchPhase::up);
 }
 
 TEST_F(PerceptionAreas, AfterAKnockTheyLieWhereTheyLay) {

@@ -1,6 +1,7 @@
 #include "pipeline/named_areas.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -47,9 +48,14 @@ TEST(Polygon, FaultsAreNamed) {
     EXPECT_THAT(fault_of({{0, 0}, {100, 0}, {100, 30}, {0, 30}}), HasSubstr("40 mm"));
 }
 
-/// Either way around: the triangles cover the polygon once, and nothing else.
+/// Either way around, from whichever corner: the triangles cover the polygon once, and nothing else.
 TEST(Polygon, TrianglesCoverItOnce) {
-    for (Polygon polygon : {square, dented, Polygon{dented.rbegin(), dented.rend()}}) {
+    std::vector<Polygon> polygons{square, dented, {dented.rbegin(), dented.rend()}};
+    for (int i = 0; i < 4; ++i) {
+        polygons.push_back(polygons.back());
+        std::ranges::rotate(polygons.back(), polygons.back().begin() + 1);
+    }
+    for (const Polygon& polygon : polygons) {
         const std::vector<int> triangles = triangles_of(polygon);
         ASSERT_EQ(triangles.size(), 3 * (polygon.size() - 2));
         int inside = 0, wrong = 0;
