@@ -55,7 +55,7 @@ OperatorWish OperatorDesk::take(const OperatorWish& wish) {
     wish_.open = wish.open;
     return {wish.open, newly_asked(wish_.rescans, wish.rescans),
             newly_asked(wish_.recalibrations, wish.recalibrations),
-            newly_asked(wish_.recordings, wish.recordings)};
+            newly_asked(wish_.recordings, wish.recordings), wish.unsaved};
 }
 
 void OperatorDesk::note_fault(const std::string& word, const std::string& reason,

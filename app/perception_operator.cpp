@@ -12,6 +12,10 @@ void Perception::take(TableWish wish) {
     if (asked.rescans > 0) scan_anew();
     if (asked.recalibrations > 0) calibrate_touches();
     if (asked.recordings > 0) record_soon();
+    if (asked.unsaved.empty())
+        unsaved_.saved("painting");
+    else
+        note_unsaved("painting", asked.unsaved);
 }
 
 void Perception::note_fault(const std::string& word, const std::string& reason) {

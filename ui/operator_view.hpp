@@ -27,12 +27,13 @@ struct OperatorView {
     Thumbnail mask;         ///< the foreground is white
 };
 
-/// What the operator asks of the perception loop: how often up to now.
+/// What the operator asks of the perception loop, how often up to now, and what he ought to know.
 struct OperatorWish {
     bool open = false;  ///< an OperatorView is wanted
     int rescans = 0;
     int recalibrations = 0;  ///< of touches
     int recordings = 0;      ///< of the 10 s to come
+    std::string unsaved{};   ///< why the painting is not on the disk; empty when nothing is wrong
 };
 
 }  // namespace touchstone
