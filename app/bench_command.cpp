@@ -80,7 +80,7 @@ class Bench {
               std::chrono::steady_clock::time_point arrived) {
         const InteractionConfig& config = options_.config.interaction;
         TableFrame shown =
-            make_table_frame(*pipeline_, seen, frame, config.scan_frames, config.rendering.view == "camera");
+            make_table_frame(*pipeline_, seen, frame, config.scan_frames, shows_camera(config.rendering));
         shown.arrived = arrived;
         (void)presentation_->should_close();
         presentation_->draw(shown);

@@ -3,17 +3,10 @@
 #include <string>
 
 #include "app/command_line.hpp"
-#include "pipeline/projector_fit.hpp"
+#include "app/projector_calibration.hpp"
 #include "platform/system/error.hpp"
 
 namespace touchstone {
-
-/// What `touchstone calibrate` found.
-struct CalibrationResult {
-    std::string method;  ///< touch or graycode
-    ProjectorFit fit;
-    std::string verdict;  ///< in words: how good, or what was seen and what to change
-};
 
 /// {"method","model","rms_px","rms_mm","points","verdict"}.
 std::string calibration_json(const CalibrationResult& result);

@@ -117,4 +117,23 @@ BenchOptions to_bench_options(const BenchArguments& arguments) {
     return options;
 }
 
+NoticeOptions to_notice_options(const NoticeArguments& arguments) {
+    NoticeOptions options;
+    try {
+        if (!arguments.config_file.empty()) load_config(arguments.config_file, options.config);
+    } catch (const Error&) {
+        options.config = {};
+    }
+    options.display = to_display(arguments.display);
+    options.seconds = arguments.seconds;
+    options.words = arguments.words;
+    return options;
+}
+
+ResetOptions to_reset_options(const std::string& config_file) {
+    ResetOptions options;
+    load_config(config_file, options.config);
+    return options;
+}
+
 }  // namespace touchstone

@@ -44,6 +44,11 @@ struct BenchArguments {
     bool moving = false;
 };
 
+struct NoticeArguments {
+    std::string config_file, display, words;
+    double seconds = 300.0;
+};
+
 std::vector<std::string> display_words();
 
 /// Each throws Error{usage} for words that contradict one another, Error{configuration or no_input} for the
@@ -54,5 +59,8 @@ TrackOptions to_track_options(const ModelArguments& arguments);
 CalibrateOptions to_calibrate_options(const CalibrateArguments& arguments);
 RecordOptions to_record_options(const RecordArguments& arguments);
 BenchOptions to_bench_options(const BenchArguments& arguments);
+/// A configuration file that cannot be read is passed over: the words are to be shown all the same.
+NoticeOptions to_notice_options(const NoticeArguments& arguments);
+ResetOptions to_reset_options(const std::string& config_file);
 
 }  // namespace touchstone

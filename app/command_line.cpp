@@ -143,6 +143,22 @@ CLI::App* add_check(CLI::App& app, CheckOptions& options) {
     return check;
 }
 
+CLI::App* add_notice(CLI::App& app, NoticeArguments& arguments) {
+    CLI::App* notice = app.add_subcommand("notice", "words on the display, where the table cannot run");
+    notice->add_option("WORDS", arguments.words, "what it says")->check(not_empty)->required();
+    notice->add_option("--config", arguments.config_file, "TOML file: which output and mode");
+    add_display(*notice, arguments.display);
+    notice->add_option("--seconds", arguments.seconds, "how long, default 300")->check(CLI::PositiveNumber);
+    return notice;
+}
+
+CLI::App* add_reset(CLI::App& app, std::string& config_file) {
+    CLI::App* reset = app.add_subcommand(
+        "reset", "back to the first start: removes scan, calibrations, painting and reports of faults");
+    reset->add_option("--config", config_file, "TOML file that names them; it stays")->required();
+    return reset;
+}
+
 /// Options of `run` may stand without it; before another sub-command they would be lost.
 void check_no_options_before(const CLI::App& app, const std::string& command) {
     for (const CLI::Option* option : app.get_options()) {
@@ -172,6 +188,10 @@ Command parse_command_line(int argc, const char* const* argv) {
     const CLI::App* bench = add_bench(app, bench_arguments);
     CheckOptions check_options;
     const CLI::App* check = add_check(app, check_options);
+    NoticeArguments notice_arguments;
+    const CLI::App* notice = add_notice(app, notice_arguments);
+    std::string reset_config;
+    const CLI::App* reset = add_reset(app, reset_config);
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
@@ -182,7 +202,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, std::string(error.what()) + "; see touchstone --help");
     }
-    for (const CLI::App* command : {scan, track, calibrate, record, bench, check}) {
+    for (const CLI::App* command : {scan, track, calibrate, record, bench, check, notice, reset}) {
         if (command->parsed()) check_no_options_before(app, command->get_name());
     }
     if (scan->parsed()) return to_scan_options(model_arguments);
@@ -191,6 +211,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (record->parsed()) return to_record_options(record_arguments);
     if (bench->parsed()) return to_bench_options(bench_arguments);
     if (check->parsed()) return check_options;
+    if (notice->parsed()) return to_notice_options(notice_arguments);
+    if (reset->parsed()) return to_reset_options(reset_config);
     RunOptions options = to_run_options(run_arguments);
     if (run_arguments.print_config) return PrintedText{print_config(options.config)};
     return options;

@@ -83,13 +83,26 @@ struct CheckOptions {
     bool json = false;
 };
 
+/// `touchstone notice`: words on the display, where the table itself cannot run.
+struct NoticeOptions {
+    Config config;
+    std::optional<DisplayKind> display;  ///< else as RunOptions
+    double seconds = 300.0;
+    std::string words;
+};
+
+/// `touchstone reset`: back to the first start.
+struct ResetOptions {
+    Config config;
+};
+
 /// Text for standard output and then success: --help, --version, --print-config.
 struct PrintedText {
     std::string text;
 };
 
 using Command = std::variant<RunOptions, ScanOptions, TrackOptions, CalibrateOptions, RecordOptions,
-                             BenchOptions, CheckOptions, PrintedText>;
+                             BenchOptions, CheckOptions, NoticeOptions, ResetOptions, PrintedText>;
 
 /// Throws Error{usage} for what is not understood, Error{configuration or no_input} for the configuration
 /// file.

@@ -133,7 +133,7 @@ DeviceConfig device_config(const Config& config) {
 }
 
 bool wants_color(const Config& config) {
-    return config.sensor_color || config.interaction.rendering.view == "camera";
+    return config.sensor_color || shows_camera(config.interaction.rendering);
 }
 
 CameraSetup camera_setup(const Config& config) {
@@ -197,6 +197,10 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("moves_with_camera", config.projector.moves_with_camera,
              "both hang on one mount: a knock moves both");
     keys.add("spares_hands", config.projector.spares_hands, "nothing is drawn on hands");
+    keys.add(
+        "check_mm", config.projector.check_mm, 0, 1000,
+        "at the start the colour camera looks where light falls, and says if it is farther off; 0: it does "
+        "not look");
     keys.section("particles");
     ParticleTableConfig& particles = config.particles;
     keys.add("most", particles.simulation.capacity, 1, 131072, "more push out the oldest");

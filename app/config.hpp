@@ -34,6 +34,7 @@ struct ProjectorMappingConfig {
     std::string file;                ///< of `touchstone calibrate`; empty: none
     bool moves_with_camera = false;  ///< both hang on one mount: a knock moves both
     bool spares_hands = true;        ///< nothing is drawn on what moves over the table
+    float check_mm = 5.0f;           ///< light that falls farther off is told of at the start; 0: no check
 };
 
 struct TuioConfig {

@@ -42,18 +42,26 @@ std::unique_ptr<SimulatedProjector> open_simulated_projector() {
                                                 projected_picture_name());
 }
 
+void show_to_simulated_hands(Display& display, const std::optional<Eigen::Vector2f>& cross_px) {
+    auto* simulated = dynamic_cast<SimulatedProjector*>(&display);
+    if (simulated == nullptr) return;
+    simulated->set_aim(cross_px ? std::optional(std::array{cross_px->x(), cross_px->y()}) : std::nullopt);
+}
+
 std::unique_ptr<Display> open_display(const RunOptions& options) {
     if (has_simulated_projector(options.config.sensor_uri)) return open_simulated_projector();
     const WindowPixels pixels = options.shots_dir ? WindowPixels::readable : WindowPixels::shown_only;
     return open_display(choose_display(options.display), options.config.display, pixels);
 }
 
+bool is_projector(const RunOptions& options) {
+    return has_simulated_projector(options.config.sensor_uri) || options.display == DisplayKind::projector;
+}
+
 bool throws_on_table(const RunOptions& options) {
-    const bool is_projector =
-        has_simulated_projector(options.config.sensor_uri) || options.display == DisplayKind::projector;
     const std::string& calibration = options.config.projector.file;
     std::error_code none;
-    return is_projector && !calibration.empty() && std::filesystem::exists(calibration, none);
+    return is_projector(options) && !calibration.empty() && std::filesystem::exists(calibration, none);
 }
 
 }  // namespace touchstone

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,8 +23,14 @@ bool has_simulated_projector(const std::string& sensor_uri);
 /// Such a projector: off screen, as large as the simulator thinks it.
 std::unique_ptr<SimulatedProjector> open_simulated_projector();
 
+/// Hands over a simulated table touch that pixel; none: they do not know of any. Nothing on other displays.
+void show_to_simulated_hands(Display& display, const std::optional<Eigen::Vector2f>& cross_px);
+
 /// For `run`: a simulated projector where the sensor has one, else as chosen.
 std::unique_ptr<Display> open_display(const RunOptions& options);
+
+/// Whether the picture can fall on the table.
+bool is_projector(const RunOptions& options);
 
 /// Whether the picture falls on the table and can be fitted to it: it comes from a projector that is
 /// calibrated.

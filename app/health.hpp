@@ -33,6 +33,8 @@ class Health {
     void unsaved(const std::string& what) { ++figures_.unsaved[what]; }
     /// As DepthCamera tells them.
     void lost_packets(std::optional<std::uint64_t> packets) { figures_.lost_packets = packets; }
+    /// As a check found it; nothing where none did.
+    void projector_off(std::optional<double> off_mm) { figures_.projector_off_mm = off_mm; }
     void restart(const std::string& what) { ++figures_.restarts[what]; }
     /// Once a loop: says the line once a minute. The machine is read for it, and once a second for the page.
     /// `stages` may be null.

@@ -5,11 +5,14 @@
 #include "app/calibrate_command.hpp"
 #include "app/check_command.hpp"
 #include "app/command_line.hpp"
+#include "app/notice_command.hpp"
 #include "app/record_command.hpp"
+#include "app/reset_command.hpp"
 #include "app/run_command.hpp"
 #include "app/scan_command.hpp"
 #include "app/track_command.hpp"
 #include "platform/system/error.hpp"
+#include "platform/system/failure_note.hpp"
 
 namespace {
 
@@ -30,6 +33,10 @@ touchstone::ExitStatus execute(const touchstone::Command& command) {
         return touchstone::bench_command(*bench);
     if (const auto* check = std::get_if<touchstone::CheckOptions>(&command))
         return touchstone::check_command(*check);
+    if (const auto* notice = std::get_if<touchstone::NoticeOptions>(&command))
+        return touchstone::notice_command(*notice);
+    if (const auto* reset = std::get_if<touchstone::ResetOptions>(&command))
+        return touchstone::reset_command(*reset);
     return touchstone::run_command(std::get<touchstone::RunOptions>(command));
 }
 
@@ -39,9 +46,11 @@ int main(int argc, char** argv) {
     try {
         return static_cast<int>(execute(touchstone::parse_command_line(argc, argv)));
     } catch (const touchstone::Error& error) {
+        touchstone::keep_failure(error.what());
         std::fprintf(stderr, "touchstone: %s\n", error.what());
         return static_cast<int>(error.status());
     } catch (const std::exception& error) {
+        touchstone::keep_failure(error.what());
         std::fprintf(stderr, "touchstone: unexpected: %s\n", error.what());
         return static_cast<int>(touchstone::ExitStatus::unavailable);
     }

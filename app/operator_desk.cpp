@@ -53,9 +53,12 @@ Thumbnail mask_thumbnail(std::span<const std::uint8_t> map, PixelSize size) {
 
 OperatorWish OperatorDesk::take(const OperatorWish& wish) {
     wish_.open = wish.open;
-    return {wish.open, newly_asked(wish_.rescans, wish.rescans),
+    return {wish.open,
+            newly_asked(wish_.rescans, wish.rescans),
             newly_asked(wish_.recalibrations, wish.recalibrations),
-            newly_asked(wish_.recordings, wish.recordings), wish.unsaved};
+            newly_asked(wish_.recordings, wish.recordings),
+            newly_asked(wish_.projector_calibrations, wish.projector_calibrations),
+            wish.unsaved};
 }
 
 void OperatorDesk::note_fault(const std::string& word, const std::string& reason,

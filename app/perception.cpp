@@ -43,13 +43,13 @@ Perception::Perception(const RunOptions& options)
     : options_(options),
       device_(device_config(options.config)),
       health_(options.config.health),
-      sinks_(make_touch_sinks(options)) {
+      sinks_(make_touch_sinks(options)),
+      projector_(options.config.projector) {
     if (options.maps_dir) maps_.emplace(*options.maps_dir);
     if (!options.config.fault_reports.dir.empty()) fault_reports_.emplace(options.config.fault_reports);
     run_self_test(device_);
     log_info("computing on {}", device_.name());
     prepare_touch_bias();
-    load_projector_mapping();
     load_object();
     if (!options_.config.sensor_uri.empty()) open_camera();
 }
@@ -77,6 +77,7 @@ std::optional<TableFrame> Perception::step() {
 std::optional<TableFrame> Perception::next() {
     if (options_.frames && frames_done_ >= *options_.frames) return std::nullopt;
     if (!camera_) return wait_for_camera();
+    watch_projector();
     ReadResult result = camera_->read(read_timeout_ms);
     if (std::holds_alternative<StreamEnd>(result)) return std::nullopt;
     if (auto* frame = std::get_if<DepthFrame>(&result)) {
@@ -136,22 +137,25 @@ TableFrame Perception::process(const DepthFrame& frame) {
     recovery_.healthy(std::chrono::steady_clock::now());
     const InteractionConfig& config = options_.config.interaction;
     TableFrame shown =
-        make_table_frame(*pipeline_, result, frame, config.scan_frames, config.rendering.view == "camera");
+        make_table_frame(*pipeline_, result, frame, config.scan_frames, shows_camera(config.rendering));
     shown.arrived = start;
     show_light(shown.state);
     serve_scene(result, frame.timestamp_us, shown);
-    map_projector(result.state, shown);
+    follow_projector(result, frame, shown);
     desk_.see(frame, *pipeline_);
-    if (calibrates(result.state)) take_crosses(result);
-    if (calibrates(result.state)) shown.cross = crosses_->guide(*pipeline_->area(), intrinsics_);
+    if (asks_for_crosses(result.state)) take_crosses(result);
+    if (asks_for_crosses(result.state)) shown.cross = crosses_->guide(*pipeline_->area(), intrinsics_);
     measure_rate(start);
     shown.frame_rate_hz = rate_hz_;
     shown.frame_ms = static_cast<float>(pipeline_->stage_times().summary("frame").median_ms);
     ++frames_done_;
     last_shown_ = shown;
     last_shown_.touches.clear();
+    last_shown_.thrown = nullptr;
     to_follow_ = result.state;
-    color_to_follow_ = frame.color_rgb;
+    // What a projector shows is no colour of the surface while it is looked at.
+    color_to_follow_ =
+        shown.thrown || !wants_color(options_.config) ? std::vector<std::uint8_t>() : frame.color_rgb;
     return shown;
 }
 

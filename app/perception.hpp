@@ -13,7 +13,7 @@
 #include "app/frame_outputs.hpp"
 #include "app/health.hpp"
 #include "app/operator_desk.hpp"
-#include "app/projector_mapping.hpp"
+#include "app/projector_desk.hpp"
 #include "app/unsaved.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
@@ -30,6 +30,7 @@ namespace touchstone {
 struct TableWish {
     SceneWish scene;
     OperatorWish operating;
+    ProjectorScreen projecting;
 };
 
 /// The perception loop: camera frame -> pipeline -> touches -> sinks. Never waits for the screen.
@@ -74,6 +75,8 @@ class Perception {
     bool keep(const std::string& what, const std::string& otherwise, const std::function<void()>& write);
     /// Counts it, and keeps it for the operator. True where it is news.
     bool note_unsaved(const std::string& what, const std::string& reason);
+    /// What others write, and log; no reason where it went well.
+    void take_unsaved(const std::string& what, const std::string& reason);
     /// A scan that cannot be written is tried again once a minute.
     void save_scan_when_new(InteractionState state);
     /// The scan of an object to follow: one that is damaged is not followed.
@@ -81,10 +84,17 @@ class Perception {
     /// Takes the bias of touches from its file, or begins to ask for it.
     void prepare_touch_bias();
     /// Whether crosses are to be touched; their touches are no others'.
-    bool calibrates(InteractionState state) const { return crosses_ && state == InteractionState::live; }
+    bool calibrates(InteractionState state) const {
+        return projector_.calibrates() || (crosses_ && state == InteractionState::live);
+    }
+    bool asks_for_crosses(InteractionState state) const {
+        return crosses_ && !projector_.calibrates() && state == InteractionState::live;
+    }
     void take_crosses(const InteractionFrame& result);
-    void load_projector_mapping();
-    void map_projector(InteractionState state, TableFrame& shown);
+    void follow_projector(const InteractionFrame& result, const DepthFrame& frame, TableFrame& shown);
+    void calibrate_projector();
+    /// Colours are watched and exposure is held only while the projector needs it.
+    void watch_projector();
     /// Particles and pictures, as the scene wishes.
     void serve_scene(const InteractionFrame& result, std::uint64_t timestamp_us, TableFrame& shown);
     std::shared_ptr<const ParticleView> move_particles(const InteractionFrame& result,
@@ -119,10 +129,10 @@ class Perception {
     SceneWish wish_;
     OperatorDesk desk_;
     bool ignores_saved_scan_ = false;
-    std::optional<ParticleTable> particles_;     ///< while the scene wishes them
-    std::optional<SceneView> scene_view_;        ///< while the scene wishes a picture
-    int particles_cleared_ = 0;                  ///< as often as the scene wished
-    std::optional<ProjectorMapping> projector_;  ///< once it is calibrated
+    std::optional<ParticleTable> particles_;  ///< while the scene wishes them
+    std::optional<SceneView> scene_view_;     ///< while the scene wishes a picture
+    int particles_cleared_ = 0;               ///< as often as the scene wished
+    ProjectorDesk projector_;
     StageTimes scene_times_;
     Intrinsics intrinsics_{};
     std::chrono::steady_clock::time_point last_frame_{};

@@ -8,14 +8,13 @@ namespace touchstone {
 
 void Perception::take(TableWish wish) {
     wish_ = std::move(wish.scene);
+    projector_.see(wish.projecting);
     const OperatorWish asked = desk_.take(wish.operating);
     if (asked.rescans > 0) scan_anew();
     if (asked.recalibrations > 0) calibrate_touches();
     if (asked.recordings > 0) record_soon();
-    if (asked.unsaved.empty())
-        unsaved_.saved("painting");
-    else
-        note_unsaved("painting", asked.unsaved);
+    if (asked.projector_calibrations > 0) calibrate_projector();
+    take_unsaved("painting", asked.unsaved);
 }
 
 void Perception::note_fault(const std::string& word, const std::string& reason) {
@@ -28,6 +27,7 @@ void Perception::scan_anew() {
     follow();
     log_info("the operator asks for a new scan");
     release_touches();
+    projector_.give_up("a new scan was asked for");
     pipeline_.reset();
     ignores_saved_scan_ = true;
 }
@@ -37,6 +37,42 @@ void Perception::calibrate_touches() {
     bias_ = {};
     if (pipeline_) pipeline_->set_touch_bias(bias_);
     crosses_.emplace(CrossStepConfig{});
+}
+
+void Perception::calibrate_projector() {
+    if (!camera_ || !pipeline_) return;
+    projector_.calibrate(camera_->can_see_color());
+    if (projector_.calibrates()) release_touches();
+}
+
+void Perception::watch_projector() {
+    try {
+        camera_->watch_color(projector_.wants_color());
+        if (projector_.wants_held_exposure())
+            camera_->hold_exposure();
+        else
+            camera_->release_exposure();
+    } catch (const Error& error) {
+        projector_.give_up(error.what());
+    }
+}
+
+void Perception::follow_projector(const InteractionFrame& result, const DepthFrame& frame,
+                                  TableFrame& shown) {
+    const bool calibrated = projector_.calibrates();
+    projector_.follow({result, *pipeline_, frame}, camera_->can_see_color());
+    if (calibrated) {
+        shown.touches.clear();
+        shown.hovers.clear();
+    }
+    // A finger that still rests on the last cross touches nothing.
+    if (calibrated && !projector_.calibrates()) release_touches();
+    health_.projector_off(projector_.off_mm());
+    take_unsaved("projector's calibration", projector_.unsaved());
+    shown.projector = projector_.model();
+    shown.surface = projector_.surface();
+    shown.thrown = projector_.thrown();
+    if (shown.note.empty()) shown.note = projector_.note();
 }
 
 void Perception::record_soon() {
@@ -58,6 +94,8 @@ std::shared_ptr<const OperatorView> Perception::operator_view() const {
     if (camera_) view->camera_rate_hz = static_cast<float>(camera_->rate_hz());
     if (pipeline_) view->stages = pipeline_->stage_times().summary();
     for (const StageSummary& stage : scene_times_.summary()) view->stages.push_back(stage);
+    view->can_calibrate_projector = projector_.can_calibrate();
+    view->projector = projector_.words();
     view->can_record = fault_reports_ && !desk_.records();
     if (!fault_reports_) view->recording = "To record, name a folder: [health] fault_dir";
     return view;

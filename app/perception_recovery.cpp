@@ -61,6 +61,7 @@ void Perception::open_camera() {
 }
 
 void Perception::drop_camera() {
+    projector_.give_up("the camera is lost");
     camera_.reset();
     release_touches();
 }

@@ -6,27 +6,6 @@
 
 namespace touchstone {
 
-void Perception::load_projector_mapping() {
-    const ProjectorMappingConfig& config = options_.config.projector;
-    if (config.file.empty()) return;
-    try {
-        const SavedProjector saved = load_projector(config.file);
-        projector_.emplace(saved, config.moves_with_camera);
-        log_info("the projector was calibrated to {:.1f} mm by {}: {}", saved.rms_mm, saved.method,
-                 config.file);
-    } catch (const Error& error) {
-        log_warning("{}; the picture is not fitted to the surface: run touchstone calibrate", error.what());
-    }
-}
-
-void Perception::map_projector(InteractionState state, TableFrame& shown) {
-    if (!projector_) return;
-    projector_->follow(state, pipeline_->background(), intrinsics_);
-    shown.projector = projector_->model();
-    shown.surface = projector_->surface();
-    if (shown.note.empty()) shown.note = projector_->note();
-}
-
 void Perception::serve_scene(const InteractionFrame& result, std::uint64_t timestamp_us, TableFrame& shown) {
     if (!wish_.particles) particles_.reset();
     if (wish_.particles && !particles_) particles_.emplace(device_, options_.config.particles, intrinsics_);

@@ -32,6 +32,13 @@ bool Perception::note_unsaved(const std::string& what, const std::string& reason
     return is_news;
 }
 
+void Perception::take_unsaved(const std::string& what, const std::string& reason) {
+    if (reason.empty())
+        unsaved_.saved(what);
+    else
+        note_unsaved(what, reason);
+}
+
 void Perception::save_scan_when_new(InteractionState state) {
     if (state == InteractionState::scanning || state == InteractionState::realigning) scan_is_new_ = true;
     if (state != InteractionState::live || !scan_is_new_ || options_.config.scan_file.empty()) return;

@@ -1,6 +1,7 @@
 #include "app/presentation.hpp"
 
 #include <GLES3/gl31.h>
+#include <algorithm>
 #include <utility>
 
 #include "app/displays.hpp"
@@ -37,6 +38,7 @@ Presentation::Presentation(const RunOptions& options, DisplayMaker make_display)
       make_display_(std::move(make_display)),
       config_(presenter_config(options.config.display)),
       scene_(options.config.display.scene),
+      is_projector_(is_projector(options)),
       throws_on_table_(throws_on_table(options)),
       spares_hands_(options.config.projector.spares_hands),
       last_drawn_(std::chrono::steady_clock::now()) {
@@ -60,7 +62,7 @@ void Presentation::measure() {
 
 TableWish Presentation::wish() const {
     if (!presenter_) return {};
-    return {presenter_->wish(), presenter_->operator_wish()};
+    return {presenter_->wish(), presenter_->operator_wish(), {is_projector_, display_->size_px(), shown_}};
 }
 
 void Presentation::finish() { glFinish(); }
@@ -76,6 +78,14 @@ void Presentation::open() {
     presenter_ = std::make_unique<TablePresenter>(shown, scene_, config_);
 }
 
+void Presentation::close() {
+    presenter_.reset();
+    calibration_screen_.reset();
+    projected_.reset();
+    display_.reset();
+    thrown_ = shown_ = nullptr;
+}
+
 void Presentation::try_to_open() {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_try_) return;
@@ -85,34 +95,60 @@ void Presentation::try_to_open() {
         log_info("the display is back");
     } catch (const Error& error) {
         log_debug("{}", error.what());
-        presenter_.reset();
-        projected_.reset();
-        display_.reset();
+        close();
     }
 }
 
 void Presentation::lose_display() {
     log_warning("the display is lost: trying to get it back");
     scene_ = presenter_->scene_name();
-    presenter_.reset();
-    projected_.reset();
-    display_.reset();
+    close();
+}
+
+void Presentation::begin_to_throw() {
+    const std::vector<std::string> names = scene_names(ScenePlace::surface);
+    scene_ = presenter_->scene_name();
+    if (std::ranges::find(names, scene_) == names.end()) scene_ = names.front();
+    throws_on_table_ = true;
+    close();
+    open();
 }
 
 void Presentation::draw(const TableFrame& frame) {
     if (!presenter_) try_to_open();
     if (!presenter_) return;
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<float> elapsed = now - last_drawn_;
-    last_drawn_ = now;
     try {
-        presenter_->draw(fit_to_table(frame), elapsed.count());
+        if (is_projector_ && frame.projector && !throws_on_table_ && !frame.thrown) begin_to_throw();
+        if (frame.thrown)
+            draw_thrown(frame);
+        else
+            draw_scene(frame);
     } catch (const Error&) {
-        if (!display_->is_lost()) throw;
-        lose_display();
+        if (display_ && !display_->is_lost()) throw;
+        if (display_) lose_display();
     }
     if (frame.view) drawn_index_ = frame.index;
     drawn_arrived_ = frame.arrived;
+}
+
+void Presentation::draw_scene(const TableFrame& frame) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<float> elapsed = now - last_drawn_;
+    last_drawn_ = now;
+    if (thrown_) show_to_simulated_hands(*display_, std::nullopt);
+    thrown_ = shown_ = nullptr;
+    presenter_->draw(fit_to_table(frame), elapsed.count());
+}
+
+/// In the projector's own pixels, once for each picture; time stands still for the scene.
+void Presentation::draw_thrown(const TableFrame& frame) {
+    presenter_->pause();
+    last_drawn_ = std::chrono::steady_clock::now();
+    if (frame.thrown == thrown_) return;
+    if (!calibration_screen_) calibration_screen_ = std::make_unique<CalibrationScreen>(*display_);
+    calibration_screen_->draw(*frame.thrown);
+    show_to_simulated_hands(*display_, frame.thrown->cross_px);
+    thrown_ = frame.thrown;
 }
 
 const TableFrame& Presentation::fit_to_table(const TableFrame& frame) {
@@ -133,11 +169,13 @@ const TableFrame& Presentation::fit_to_table(const TableFrame& frame) {
 
 void Presentation::show() {
     if (!presenter_) return;
-    (projected_ ? *projected_ : *display_).present();
+    const bool is_thrown = thrown_ != nullptr;
+    if (!is_thrown || thrown_ != shown_) (is_thrown || !projected_ ? *display_ : *projected_).present();
     if (display_->is_lost()) {
         lose_display();
         return;
     }
+    shown_ = thrown_;
     measure();
     if (!shots_ || drawn_index_ == last_shot_) return;
     last_shot_ = drawn_index_;

@@ -10,6 +10,7 @@
 #include "app/perception.hpp"
 #include "platform/display/display.hpp"
 #include "platform/system/stage_timer.hpp"
+#include "ui/calibration_screen.hpp"
 #include "ui/projected_display.hpp"
 #include "ui/table_presenter.hpp"
 
@@ -48,6 +49,11 @@ class Presentation {
     /// On the table itself: the frame as its display shows it, thrown as the frame says.
     const TableFrame& fit_to_table(const TableFrame& frame);
     void measure();
+    void draw_scene(const TableFrame& frame);
+    void draw_thrown(const TableFrame& frame);
+    /// The first calibration of a projector: from now on its picture is fitted to the table.
+    void begin_to_throw();
+    void close();
 
     static constexpr std::string_view to_photon = "touch to photon";
 
@@ -55,7 +61,7 @@ class Presentation {
     DisplayMaker make_display_;
     PresenterConfig config_;
     std::string scene_;
-    bool throws_on_table_, spares_hands_;
+    bool is_projector_, throws_on_table_, spares_hands_;
     std::unique_ptr<Display> display_;
     std::unique_ptr<ProjectedDisplay> projected_;  ///< over display_, where it throws on the table
     ViewFromAbove from_above_;
@@ -64,6 +70,8 @@ class Presentation {
     std::shared_ptr<const ProjectorModel> projector_;  ///< of the last frame, with its surface
     std::shared_ptr<const SurfaceGrid> surface_;
     std::unique_ptr<TablePresenter> presenter_;
+    std::unique_ptr<CalibrationScreen> calibration_screen_;  ///< since it was first wanted
+    std::shared_ptr<const ThrownPicture> thrown_, shown_;    ///< drawn, and shown, instead of the scene
     std::optional<PictureFolder> shots_;
     std::chrono::steady_clock::time_point last_drawn_, next_try_{};
     int drawn_index_ = -1, last_shot_ = -1;  ///< drawn_index_ only of frames with a view

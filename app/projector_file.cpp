@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/core.h>
+#include <ctime>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -86,6 +88,7 @@ void save_projector(const std::filesystem::path& path, const SavedProjector& pro
     file["rms_px"] = projector.rms_px;
     file["rms_mm"] = projector.rms_mm;
     file["points"] = projector.points;
+    file["written_s"] = projector.written_s;
     write_checked_file(path, format, file.dump());
 }
 
@@ -93,14 +96,20 @@ SavedProjector load_projector(const std::filesystem::path& path) {
     const std::string text = read_checked_file(path, format);
     try {
         const json file = json::parse(text);
-        return {model_from_json(file), file.at("method").get<std::string>(), file.at("rms_px").get<float>(),
-                file.at("rms_mm").get<float>(), file.at("points").get<int>()};
+        return {model_from_json(file),          file.at("method").get<std::string>(),
+                file.at("rms_px").get<float>(), file.at("rms_mm").get<float>(),
+                file.at("points").get<int>(),   file.value("written_s", std::int64_t{0})};
     } catch (const json::exception&) {
         throw Error(ExitStatus::bad_data,
                     fmt::format("{} does not hold the calibration of a projector", path.string()));
     } catch (const Error& error) {
         throw Error(ExitStatus::bad_data, fmt::format("{}: {}", path.string(), error.what()));
     }
+}
+
+std::string day_of(const SavedProjector& projector) {
+    if (projector.written_s <= 0) return "a day that its file does not tell";
+    return fmt::format("{:%Y-%m-%d}", fmt::localtime(static_cast<std::time_t>(projector.written_s)));
 }
 
 }  // namespace touchstone

@@ -59,6 +59,8 @@ void ProjectorMapping::place(const RigidTransform& T_g_c) {
     else
         from_camera_ = in_other_frame(*model_, T_g_c.inverse(Eigen::Isometry));
     surface_ = nullptr;
+    const bool is_doubtful = !moves_with_camera_ && (is_new_scan_ || was_knocked);
+    if (!was_placed || is_doubtful) ++doubts_;
     if (moves_with_camera_)
         note_.clear();
     else if (was_placed && is_new_scan_)

@@ -27,6 +27,11 @@ class ProjectorMapping {
     const std::shared_ptr<const SurfaceGrid>& surface() const { return surface_; }
     /// For the operator: empty when all is well.
     const std::string& note() const { return note_; }
+    /// How often something has happened after which nobody knows whether it still holds: the start is the
+    /// first, a knock or a new scan of a camera that the projector does not hang on are others.
+    int doubts() const { return doubts_; }
+    /// A check has answered them: what the operator is told from now on, empty for all is well.
+    void answer(const std::string& note) { note_ = note; }
 
   private:
     void place(const RigidTransform& T_g_c);
@@ -35,7 +40,7 @@ class ProjectorMapping {
     ProjectorModel from_camera_;  // of points of the camera's frame
     bool moves_with_camera_;
     bool is_new_scan_ = true;
-    int frames_ = 0, versions_ = 0;
+    int frames_ = 0, versions_ = 0, doubts_ = 0;
     RigidTransform T_g_c_ = RigidTransform::Identity();
     std::shared_ptr<const ProjectorModel> model_;
     std::shared_ptr<const SurfaceGrid> surface_;

@@ -7,7 +7,8 @@
 
 namespace touchstone {
 
-void run_two_loops(Perception& perception, Presentation& presentation, TerminationSignals& signals) {
+void run_two_loops(Perception& perception, Presentation& presentation, TerminationSignals& signals,
+                   ServiceWatch& watch) {
     Mailbox<TableFrame> mailbox(merge_frames);
     Mailbox<TableWish> wishes;
     std::exception_ptr failure;
@@ -17,6 +18,7 @@ void run_two_loops(Perception& perception, Presentation& presentation, Terminati
                 if (std::optional<TableWish> wish = wishes.try_take()) perception.take(std::move(*wish));
                 std::optional<TableFrame> frame = perception.step();
                 if (!frame) break;
+                watch.perceived(*frame);
                 mailbox.put(std::move(*frame));
                 perception.follow();
             }
@@ -28,6 +30,7 @@ void run_two_loops(Perception& perception, Presentation& presentation, Terminati
     constexpr std::chrono::milliseconds between_looks{15};
     TableFrame latest;
     while (!signals.arrived() && !presentation.should_close()) {
+        watch.presented();
         std::optional<TableFrame> next = mailbox.take_for(between_looks);
         if (!next && mailbox.closed()) break;
         if (next) latest = std::move(*next);
@@ -36,6 +39,7 @@ void run_two_loops(Perception& perception, Presentation& presentation, Terminati
         wishes.put(presentation.wish());
         presentation.show();
     }
+    watch.stopping();
     perceiving.request_stop();
     perceiving.join();
     if (failure) std::rethrow_exception(failure);

@@ -25,10 +25,10 @@ std::vector<ProgramSource> common_kernel_sources() {
             embedded("colour_math.h")};
 }
 
-Program load_kernel_program(const Device& device, std::string_view stage_file) {
+Program load_kernel_program(const Device& device, std::string_view stage_file, std::string_view header) {
     std::vector<ProgramSource> sources = common_kernel_sources();
     sources.push_back(embedded("tsdf_access.h"));
-    if (stage_file == "view_lighting.cl") sources.push_back(embedded("view_rays.h"));
+    if (!header.empty()) sources.push_back(embedded(header));
     sources.push_back(embedded(stage_file));
     return {device, sources};
 }

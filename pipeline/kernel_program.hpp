@@ -12,7 +12,7 @@ namespace touchstone {
 std::vector<ProgramSource> common_kernel_sources();
 
 /// The program of one stage, such as "listing_3_raycast.cl", built from common_kernel_sources(),
-/// tsdf_access.h and the stage's file.
-Program load_kernel_program(const Device& device, std::string_view stage_file);
+/// tsdf_access.h, a header of the stage's own where it has one, and the stage's file.
+Program load_kernel_program(const Device& device, std::string_view stage_file, std::string_view header = {});
 
 }  // namespace touchstone

@@ -24,14 +24,14 @@ constexpr std::array<std::array<float, 2>, 8> first_places{{{0.35f, 0.35f},
                                                             {0.5f, 0.25f},
                                                             {0.25f, 0.5f},
                                                             {0.75f, 0.5f}}};
-/// Of the area, around it.
+/// Of the area, around it; its corners first, for what stands out takes the place of the rest.
 constexpr std::array<std::array<float, 2>, 8> later_places{{{0.1f, 0.12f},
-                                                            {0.5f, 0.08f},
                                                             {0.9f, 0.12f},
-                                                            {0.92f, 0.5f},
                                                             {0.9f, 0.88f},
-                                                            {0.5f, 0.92f},
                                                             {0.1f, 0.88f},
+                                                            {0.5f, 0.08f},
+                                                            {0.92f, 0.5f},
+                                                            {0.5f, 0.92f},
                                                             {0.08f, 0.5f}}};
 constexpr std::size_t least_matches = 4;
 
@@ -116,8 +116,9 @@ void ProjectorCrosses::take(std::span<const TouchEvent> touches, const RigidTran
             continue;
         }
         const Eigen::Vector3f touched_g_m = T_g_c * contact.mean.surface_c_m;
-        if (!matches_.empty() && (touched_g_m - matches_.back().point_g_m).norm() < config_.apart_m) continue;
-        matches_.push_back({touched_g_m, *cross});
+        if (last_touched_g_m_ && (touched_g_m - *last_touched_g_m_).norm() < config_.apart_m) continue;
+        last_touched_g_m_ = touched_g_m;
+        keep({touched_g_m, *cross});
         go_on(timestamp_us);
     }
     const auto waited_us = static_cast<double>(timestamp_us - *since_us_);
@@ -129,6 +130,25 @@ void ProjectorCrosses::go_on(std::uint64_t timestamp_us) {
     since_us_ = timestamp_us;
     ++next_;
     if (!is_spread_ && matches_.size() >= least_matches) spread();
+    if (next_ == wanted() && is_spread_) show_again();
+}
+
+/// Without those that nobody could reach.
+void ProjectorCrosses::show_again() {
+    if (std::exchange(is_second_round_, true)) return;
+    for (const ProjectorMatch& match : matches_) crosses_px_.push_back(match.pixel_px);
+}
+
+/// A single touch is some 2 mm off: the mean of two is nearer, unless one of them was meant otherwise.
+void ProjectorCrosses::keep(const ProjectorMatch& match) {
+    const auto before = std::ranges::find_if(matches_, [&](const ProjectorMatch& other) {
+        return other.pixel_px == match.pixel_px &&
+               (other.point_g_m - match.point_g_m).norm() < config_.same_m;
+    });
+    if (before == matches_.end())
+        matches_.push_back(match);
+    else
+        before->point_g_m = 0.5f * (before->point_g_m + match.point_g_m);
 }
 
 /// What was touched tells where the area's edges lie in the picture.
@@ -143,7 +163,8 @@ void ProjectorCrosses::spread() {
     const Vector2f free_px = config_.margin * size_px_;
     std::vector<Vector2f> places_uv;
     places_uv.reserve(later_places.size() + standing_out_g_m_.size());
-    for (const auto& [u, v] : later_places) places_uv.emplace_back(u, v);
+    const std::size_t around = later_places.size() - std::min(later_places.size(), standing_out_g_m_.size());
+    for (const auto& [u, v] : std::span(later_places).first(around)) places_uv.emplace_back(u, v);
     for (const Eigen::Vector3f& point : standing_out_g_m_) places_uv.push_back(area_uv(area_g_, point));
     for (const Vector2f& uv : places_uv) {
         const Eigen::Vector3d h = *H * uv.cast<double>().homogeneous();

@@ -132,19 +132,6 @@ std::vector<ProjectorMatch> without_outliers(const ProjectorModel& model,
     return kept;
 }
 
-/// On the surface: the step along the area that would move the pixel so far.
-double error_m(const ProjectorModel& model, const ProjectorMatch& match, const InteractiveArea& area_g) {
-    constexpr float step_m = 0.001f;
-    const auto at = project(model, match.point_g_m);
-    const auto along_u = project(model, match.point_g_m + step_m * area_g.axis_u_c_m.normalized());
-    const auto along_v = project(model, match.point_g_m + step_m * area_g.axis_v_c_m.normalized());
-    if (!at || !along_u || !along_v) return 0.0;
-    Eigen::Matrix2d px_per_m;
-    px_per_m << (*along_u - *at).cast<double>(), (*along_v - *at).cast<double>();
-    px_per_m /= static_cast<double>(step_m);
-    return (px_per_m.inverse() * (match.pixel_px - *at).cast<double>()).norm();
-}
-
 std::vector<PinholeMatch> in_double(std::span<const ProjectorMatch> matches) {
     std::vector<PinholeMatch> result;
     for (const ProjectorMatch& match : matches)
@@ -222,7 +209,7 @@ void judge(ProjectorFit& fit, std::span<const ProjectorMatch> matches, const Int
     double sum_px2 = 0.0, sum_m2 = 0.0;
     for (const double error : errors_px(fit.model, used)) sum_px2 += error * error;
     for (const ProjectorMatch& match : used) {
-        const double error = error_m(fit.model, match, area_g);
+        const double error = light_off_m(fit.model, match, area_g);
         sum_m2 += error * error;
     }
     const double count = std::max<double>(1.0, static_cast<double>(used.size()));
@@ -258,6 +245,19 @@ ProjectorFit fit_projector(std::span<const ProjectorMatch> matches, int width_px
     fit.model = *model;
     judge(fit, matches, area_g, config);
     return fit;
+}
+
+/// The step along the area that would move the pixel so far.
+double light_off_m(const ProjectorModel& model, const ProjectorMatch& match, const InteractiveArea& area_g) {
+    constexpr float step_m = 0.001f;
+    const auto at = project(model, match.point_g_m);
+    const auto along_u = project(model, match.point_g_m + step_m * area_g.axis_u_c_m.normalized());
+    const auto along_v = project(model, match.point_g_m + step_m * area_g.axis_v_c_m.normalized());
+    if (!at || !along_u || !along_v) return 0.0;
+    Eigen::Matrix2d px_per_m;
+    px_per_m << (*along_u - *at).cast<double>(), (*along_v - *at).cast<double>();
+    px_per_m /= static_cast<double>(step_m);
+    return (px_per_m.inverse() * (match.pixel_px - *at).cast<double>()).norm();
 }
 
 std::string describe(const ProjectorFit& fit) {

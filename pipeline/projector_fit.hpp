@@ -43,6 +43,10 @@ struct ProjectorFit {
 ProjectorFit fit_projector(std::span<const ProjectorMatch> matches, int width_px, int height_px,
                            const InteractiveArea& area_g, const ProjectorFitConfig& config = {});
 
+/// How far from a match's point the light of its pixel falls, along the area, when the model is right;
+/// metres. 0 where the model has no pixel for the point.
+double light_off_m(const ProjectorModel& model, const ProjectorMatch& match, const InteractiveArea& area_g);
+
 /// For people: how good it is, or what to change.
 std::string describe(const ProjectorFit& fit);
 

@@ -40,6 +40,23 @@ std::optional<Vector2f> project(const ProjectorModel& model, const Vector3f& poi
     return Vector2f(model.focal_px.cwiseProduct(bent(model.distortion, ideal)) + model.center_px);
 }
 
+ProjectorModel stretched(const ProjectorModel& model, int width_px, int height_px) {
+    ProjectorModel result = model;
+    result.width_px = width_px;
+    result.height_px = height_px;
+    const Eigen::Vector2f stretch(static_cast<float>(width_px) / static_cast<float>(model.width_px),
+                                  static_cast<float>(height_px) / static_cast<float>(model.height_px));
+    // Pixel centres lie at whole numbers: edges are stretched, half a pixel before them.
+    const Eigen::Vector2f half(0.5f, 0.5f);
+    result.focal_px = stretch.cwiseProduct(model.focal_px);
+    result.center_px = stretch.cwiseProduct(model.center_px + half) - half;
+    Eigen::Matrix3f S = Eigen::Matrix3f::Identity();
+    S.diagonal().head<2>() = stretch;
+    S.topRightCorner<2, 1>() = stretch.cwiseProduct(half) - half;
+    result.H_px_uv = S * model.H_px_uv;
+    return result;
+}
+
 ProjectorModel in_other_frame(const ProjectorModel& model, const RigidTransform& T_new_old) {
     ProjectorModel moved = model;
     moved.T_p_g = model.T_p_g * T_new_old.inverse(Eigen::Isometry);

@@ -47,6 +47,9 @@ float lens_edge(const std::array<float, 4>& distortion);
 /// to infinity. The pixel may lie beyond the picture.
 std::optional<Eigen::Vector2f> project(const ProjectorModel& model, const Eigen::Vector3f& point_g_m);
 
+/// The same projector where its picture is stretched to another size.
+ProjectorModel stretched(const ProjectorModel& model, int width_px, int height_px);
+
 /// The same projector for points of another frame.
 ProjectorModel in_other_frame(const ProjectorModel& model, const RigidTransform& T_new_old);
 

@@ -21,6 +21,9 @@ struct RenderingConfig {
     };
 };
 
+/// The camera's own picture is wanted.
+inline bool shows_camera(const RenderingConfig& config) { return config.view == "camera"; }
+
 /// A surface of the foreground from the camera: the live one, or the raycast of its volumes.
 struct ForegroundLayer {
     const Buffer<float>& normals_c;    ///< a pixel without normal is taken to face the camera

@@ -48,7 +48,7 @@ ViewRendering::ViewRendering(const Device& device, const ViewLook& look, const I
     : device_(&device),
       look_(look),
       intrinsics_(intrinsics),
-      lighting_(load_kernel_program(device, "view_lighting.cl")),
+      lighting_(load_kernel_program(device, "view_lighting.cl", "view_rays.h")),
       spreading_(load_kernel_program(device, "view_spreading.cl")),
       light_view_(lighting_.kernel("light_view")),
       spread_view_(spreading_.kernel("spread_view")),

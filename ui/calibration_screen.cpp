@@ -20,8 +20,24 @@ void fill(GLint x_px, GLint y_px, GLsizei width_px, GLsizei height_px, std::uint
 
 }  // namespace
 
-void CalibrationScreen::show_pattern(std::span<const std::uint8_t> gray) {
+void CalibrationScreen::draw(const ThrownPicture& picture) {
     display_.begin_frame();
+    const PixelSize size = display_.size_px();
+    glClearColor(0.f, 0.f, 0.f, 1.f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const Eigen::Vector2f size_px(static_cast<float>(size.width_px), static_cast<float>(size.height_px));
+    canvas_.begin(size_px, size_px.y() / design_height_px);
+    if (picture.gray.size() ==
+        static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px))
+        draw_pattern(picture.gray);
+    if (picture.cross_px) draw_cross(*picture.cross_px);
+    // Words keep away from the cross.
+    const float aside = !picture.cross_px ? 0.f : picture.cross_px->y() < 0.5f * size_px.y() ? 0.25f : -0.25f;
+    draw_words(0.5f * size_px + Eigen::Vector2f(0.f, aside * size_px.y()), picture.words);
+    renderer_.draw(canvas_);
+}
+
+void CalibrationScreen::draw_pattern(std::span<const std::uint8_t> gray) {
     const PixelSize size = display_.size_px();
     const auto width = static_cast<std::size_t>(size.width_px);
     const auto row_of = [&](int y) { return gray.subspan(static_cast<std::size_t>(y) * width, width); };
@@ -37,35 +53,11 @@ void CalibrationScreen::show_pattern(std::span<const std::uint8_t> gray) {
         }
     }
     glDisable(GL_SCISSOR_TEST);
-    display_.present();
 }
 
-void CalibrationScreen::begin(float gray) {
-    display_.begin_frame();
-    const PixelSize size = display_.size_px();
-    glClearColor(gray, gray, gray, 1.f);
-    glClear(GL_COLOR_BUFFER_BIT);
-    canvas_.begin({static_cast<float>(size.width_px), static_cast<float>(size.height_px)},
-                  static_cast<float>(size.height_px) / design_height_px);
-}
-
-void CalibrationScreen::show_cross(const Eigen::Vector2f& cross_px, const std::string& words) {
-    begin(0.f);
-    // Pixel centres lie at whole numbers in the projector's model, at halves on the display.
-    const Eigen::Vector2f at_px = cross_px + Eigen::Vector2f(0.5f, 0.5f);
-    draw_cross(canvas_, at_px);
-    const Eigen::Vector2f middle_px = 0.5f * canvas_.size_px();
-    const float aside = at_px.y() < middle_px.y() ? 0.25f : -0.25f;
-    draw_words(middle_px + Eigen::Vector2f(0.f, aside * canvas_.size_px().y()), words);
-    renderer_.draw(canvas_);
-    display_.present();
-}
-
-void CalibrationScreen::show_words(const std::string& words) {
-    begin(0.f);
-    draw_words(0.5f * canvas_.size_px(), words);
-    renderer_.draw(canvas_);
-    display_.present();
+/// Pixel centres lie at whole numbers in the projector's model, at halves on the display.
+void CalibrationScreen::draw_cross(const Eigen::Vector2f& cross_px) {
+    touchstone::draw_cross(canvas_, cross_px + Eigen::Vector2f(0.5f, 0.5f));
 }
 
 void CalibrationScreen::draw_words(const Eigen::Vector2f& middle_px, const std::string& words) {

@@ -8,6 +8,7 @@
 #include "platform/display/display.hpp"
 #include "ui/canvas.hpp"
 #include "ui/canvas_renderer.hpp"
+#include "ui/thrown_picture.hpp"
 
 namespace touchstone {
 
@@ -17,15 +18,12 @@ class CalibrationScreen {
     /// Throws Error{unavailable} when fonts or shaders fail.
     explicit CalibrationScreen(Display& display) : display_(display) {}
 
-    /// Grey, one byte for each of the display's pixels, row 0 at the top; shown pixel by pixel.
-    void show_pattern(std::span<const std::uint8_t> gray);
-    /// A cross on black to be touched, and what to do in words.
-    void show_cross(const Eigen::Vector2f& cross_px, const std::string& words);
-    /// Words on black.
-    void show_words(const std::string& words);
+    /// Grey pictures pixel by pixel; of another size than the display's they are not drawn. To be presented.
+    void draw(const ThrownPicture& picture);
 
   private:
-    void begin(float gray);
+    void draw_pattern(std::span<const std::uint8_t> gray);
+    void draw_cross(const Eigen::Vector2f& cross_px);
     void draw_words(const Eigen::Vector2f& middle_px, const std::string& words);
 
     Display& display_;

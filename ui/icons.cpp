@@ -127,6 +127,16 @@ void draw_rescan(const Pen& pen) {
 }
 
 /// The mark that calibration asks to touch.
+/// A box that throws light on a surface under it.
+void draw_projector(const Pen& pen) {
+    const std::array box{Vector2f(-0.22f, -0.44f), Vector2f(0.22f, -0.44f), Vector2f(0.22f, -0.18f),
+                         Vector2f(-0.22f, -0.18f)};
+    pen.fill(box);
+    pen.line({-0.12f, -0.06f}, {-0.32f, 0.28f});
+    pen.line({0.12f, -0.06f}, {0.32f, 0.28f});
+    pen.line({-0.46f, 0.4f}, {0.46f, 0.4f});
+}
+
 void draw_cross(const Pen& pen) {
     pen.ring(0.f, 0.f, 0.3f);
     pen.line({-0.46f, 0.f}, {0.46f, 0.f});
@@ -243,6 +253,8 @@ void draw_icon(Canvas& canvas, Icon icon, const Vector2f& center_px, float side_
             return draw_rescan(pen);
         case Icon::cross:
             return draw_cross(pen);
+        case Icon::projector:
+            return draw_projector(pen);
         case Icon::record:
             return draw_record(pen);
         case Icon::close:

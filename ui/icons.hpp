@@ -26,6 +26,7 @@ enum class Icon {
     hand,
     rescan,
     cross,
+    projector,
     record,
     close,
 };

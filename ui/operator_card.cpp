@@ -74,6 +74,7 @@ void write_state(Lines& lines, const TableFrame& frame, const OperatorView& view
     lines.line(TextStyle::caption, style::text, rates);
     lines.line(TextStyle::caption, style::text_muted, view.camera);
     lines.line(TextStyle::caption, style::text_muted, view.device);
+    lines.line(TextStyle::caption, style::text, view.projector);
     lines.line(TextStyle::caption, style::accent, view.recording);
     lines.space();
 }

@@ -25,12 +25,15 @@ OperatorPanel::OperatorPanel() { row_.set(buttons()); }
 /// What cannot be undone is held.
 std::vector<Button> OperatorPanel::buttons() const {
     std::vector<Button> all{make_button(OperatorButton::rescan, Icon::rescan, "Scan anew", true),
-                            make_button(OperatorButton::recalibrate, Icon::cross, "Calibrate", true),
-                            make_button(OperatorButton::record, Icon::record, "Record 10 s", false),
-                            make_button(OperatorButton::close, Icon::close, "Close", false)};
-    all[2].color = style::bad;
-    all[2].enabled = view_ && view_->can_record;
-    all[3].gap_before = true;
+                            make_button(OperatorButton::recalibrate, Icon::cross, "Calibrate touch", true)};
+    if (view_ && view_->can_calibrate_projector)
+        all.push_back(
+            make_button(OperatorButton::calibrate_projector, Icon::projector, "Calibrate projector", true));
+    Button& record =
+        all.emplace_back(make_button(OperatorButton::record, Icon::record, "Record 10 s", false));
+    record.color = style::bad;
+    record.enabled = view_ && view_->can_record;
+    all.emplace_back(make_button(OperatorButton::close, Icon::close, "Close", false)).gap_before = true;
     return all;
 }
 
@@ -69,6 +72,10 @@ void OperatorPanel::press(OperatorButton button) {
             break;
         case OperatorButton::recalibrate:
             ++wish_.recalibrations;
+            wish_.open = false;
+            break;
+        case OperatorButton::calibrate_projector:
+            ++wish_.projector_calibrations;
             wish_.open = false;
             break;
         case OperatorButton::record:

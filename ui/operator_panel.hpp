@@ -10,7 +10,7 @@
 
 namespace touchstone {
 
-enum class OperatorButton { rescan, recalibrate, record, close };
+enum class OperatorButton { rescan, recalibrate, calibrate_projector, record, close };
 
 /// What whoever looks after the table wants to know and to do, over everything. It is opened by a finger that
 /// rests in a corner of the area, or by a key, and closed by its button or after a minute. Lives and dies

@@ -22,9 +22,11 @@ struct OperatorView {
     std::vector<StageSummary> stages;
     std::vector<std::string> faults;  ///< the last ones, newest first: when and why
     bool can_record = false;
-    std::string recording;  ///< how far it is, where the last one lies, or why there is none
-    Thumbnail depth;        ///< near is bright, nothing measured is black
-    Thumbnail mask;         ///< the foreground is white
+    bool can_calibrate_projector = false;  ///< there is one, and a file to keep it in
+    std::string projector;                 ///< what became of its last calibration or check
+    std::string recording;                 ///< how far it is, where the last one lies, or why there is none
+    Thumbnail depth;                       ///< near is bright, nothing measured is black
+    Thumbnail mask;                        ///< the foreground is white
 };
 
 /// What the operator asks of the perception loop, how often up to now, and what he ought to know.
@@ -33,7 +35,8 @@ struct OperatorWish {
     int rescans = 0;
     int recalibrations = 0;  ///< of touches
     int recordings = 0;      ///< of the 10 s to come
-    std::string unsaved{};   ///< why the painting is not on the disk; empty when nothing is wrong
+    int projector_calibrations = 0;
+    std::string unsaved{};  ///< why the painting is not on the disk; empty when nothing is wrong
 };
 
 }  // namespace touchstone

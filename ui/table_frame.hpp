@@ -16,6 +16,7 @@
 #include "pipeline/touch_event.hpp"
 #include "pipeline/types.hpp"
 #include "ui/operator_view.hpp"
+#include "ui/thrown_picture.hpp"
 
 namespace touchstone {
 
@@ -48,7 +49,8 @@ struct TableFrame {
     std::shared_ptr<const OperatorView> operating;  ///< while the operator wishes it, else null
     std::vector<TouchEvent> touches;
     std::vector<HoverEvent> hovers;
-    std::optional<CrossGuide> cross;  ///< while touches are calibrated
+    std::optional<CrossGuide> cross;              ///< while touches are calibrated
+    std::shared_ptr<const ThrownPicture> thrown;  ///< instead of the scene, while the projector is looked at
 };
 
 }  // namespace touchstone

@@ -85,6 +85,8 @@ void TablePresenter::draw(const TableFrame& frame, float dt_s) {
     draw_all(frame);
 }
 
+void TablePresenter::pause() { lift_all_fingers(); }
+
 SceneWish TablePresenter::wish() const {
     SceneWish wish = parts_->scene->wish();
     if (wish.view) wish.view->version += parts_->versions_before;

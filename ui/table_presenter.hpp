@@ -32,6 +32,8 @@ class TablePresenter {
     void draw(const TableFrame& frame, float dt_s);
     /// Draws, and shows it. Afterwards the display's read_pixels gives the picture.
     void present(const TableFrame& frame, float dt_s);
+    /// Something else is shown: nobody touches what is drawn here.
+    void pause();
     /// What the scene needs from the perception loop.
     SceneWish wish() const;
     /// What the operator needs from it.

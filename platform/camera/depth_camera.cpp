@@ -11,6 +11,7 @@
 #include "platform/camera/attached_devices.hpp"
 #include "platform/camera/camera_events.hpp"
 #include "platform/camera/frame_pairing.hpp"
+#include "platform/camera/held_exposure.hpp"
 #include "platform/camera/openni_error.hpp"
 #include "platform/camera/openni_frame.hpp"
 #include "platform/camera/recording.hpp"
@@ -55,8 +56,11 @@ struct DepthCamera::Impl {
     void find_model(const std::string& models_file);
     void create_streams(bool with_color, const std::optional<DepthMode>& mode);
     void create_stream(openni::VideoStream& stream, openni::SensorType sensor, const char* what);
+    void start(openni::VideoStream& stream);
     void start_streams();
     void stop_streams();
+    void create_color();
+    void drop_color();
     void choose_intrinsics();
     void take(int ready);
     ReadResult ending();
@@ -70,8 +74,9 @@ struct DepthCamera::Impl {
     Pace pace;
     openni::Device device;
     openni::VideoStream depth, color;
+    std::optional<HeldExposure> exposure;
     std::optional<Recording> recording;
-    bool has_color = false;
+    bool has_color = false, keeps_color = false;
     std::optional<SensorModel> model;
     Intrinsics intrinsics{};
     FramePairing pairing;
@@ -97,6 +102,7 @@ DepthCamera::Impl::Impl(const std::string& wanted_uri, std::optional<Pace> wante
 
 DepthCamera::Impl::~Impl() {
     recording.reset();
+    exposure.reset();
     stop_streams();
     // After the end the stock player's thread walks its list of streams without pause and without a lock;
     // once they are stopped it does so every 10 ms. Let it come to rest before the list changes under it.
@@ -152,23 +158,37 @@ void DepthCamera::Impl::create_streams(bool with_color, const std::optional<Dept
     create_stream(depth, openni::SENSOR_DEPTH, "depth");
     if (kind == SensorKind::device)
         choose_depth_mode(depth, mode.value_or(model ? model->mode : DepthMode{}), mode.has_value());
-    has_color = with_color && device.hasSensor(openni::SENSOR_COLOR);
-    if (!has_color) {
+    keeps_color = with_color && device.hasSensor(openni::SENSOR_COLOR);
+    if (keeps_color)
+        create_color();
+    else
         pairing.finish();
-        return;
-    }
+}
+
+void DepthCamera::Impl::create_color() {
     create_stream(color, openni::SENSOR_COLOR, "colour");
     if (kind == SensorKind::device) choose_color_mode(color);
+    has_color = true;
+}
+
+void DepthCamera::Impl::drop_color() {
+    exposure.reset();
+    has_color = false;
+    color.stop();
+    color.destroy();
+    pairing.forget_colors();
 }
 
 void DepthCamera::Impl::start_streams() {
     // Depth first: a live source begins with its first stream, and a first frame without colour is better
     // than none.
-    for (openni::VideoStream* stream : {&depth, &color}) {
-        if (!stream->isValid() || stream->start() == openni::STATUS_OK) continue;
-        throw Error(ExitStatus::unavailable, fmt::format("{} does not start: {}", user_uri,
-                                                         one_line(openni::OpenNI::getExtendedError())));
-    }
+    for (openni::VideoStream* stream : {&depth, &color}) start(*stream);
+}
+
+void DepthCamera::Impl::start(openni::VideoStream& stream) {
+    if (!stream.isValid() || stream.start() == openni::STATUS_OK) return;
+    throw Error(ExitStatus::unavailable,
+                fmt::format("{} does not start: {}", user_uri, one_line(openni::OpenNI::getExtendedError())));
 }
 
 void DepthCamera::Impl::stop_streams() {
@@ -261,6 +281,35 @@ void DepthCamera::restart() {
     impl_->stop_streams();
     impl_->start_streams();
 }
+
+bool DepthCamera::can_see_color() const {
+    return has_color() ||
+           (impl_->kind != SensorKind::recording && impl_->device.hasSensor(openni::SENSOR_COLOR));
+}
+
+void DepthCamera::watch_color(bool watched) {
+    Impl& self = *impl_;
+    if (watched == self.has_color || self.keeps_color || !can_see_color()) return;
+    if (!watched) {
+        self.drop_color();
+        return;
+    }
+    try {
+        self.create_color();
+        self.start(self.color);
+    } catch (const Error&) {
+        self.drop_color();
+        throw;
+    }
+}
+
+bool DepthCamera::hold_exposure() {
+    if (!impl_->has_color) return false;
+    if (!impl_->exposure) impl_->exposure.emplace(impl_->color);
+    return impl_->exposure->is_held();
+}
+
+void DepthCamera::release_exposure() { impl_->exposure.reset(); }
 
 void DepthCamera::show_light(CameraLight light) {
     const int shown = light == CameraLight::green ? TOUCHSTONE_LIGHT_GREEN

@@ -53,7 +53,17 @@ class DepthCamera {
     /// Frames a second that the source promises.
     double rate_hz() const;
     Pace pace() const;
+    /// Frames come with colours now.
     bool has_color() const;
+    /// There is a colour picture to be watched.
+    bool can_see_color() const;
+    /// Begins and ends the colours of a live camera while its depth goes on; nothing changes where there are
+    /// none, or where they are wanted all the time. Throws Error{unavailable}.
+    void watch_color(bool watched);
+    /// The colour camera's exposure and white balance stay as they are, where it lets them, while its colours
+    /// are watched. Put back by release_exposure(), or with the camera. Whether it lets them.
+    bool hold_exposure();
+    void release_exposure();
     /// Begins the streams anew, for a camera that went silent. Throws Error{unavailable}.
     void restart();
     /// What a camera's light shows, where it has one.

@@ -28,6 +28,8 @@ class FramePairing {
     void add(DepthFrame frame) { depths_.push_back(std::move(frame)); }
     void add(ColorPicture picture);
     std::optional<DepthFrame> take();
+    /// No more come.
+    void forget_colors() { colors_.clear(); }
     /// After the last picture has come: no waiting any more.
     void finish() { wait_for_color_ = false; }
 

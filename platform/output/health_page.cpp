@@ -84,6 +84,10 @@ std::vector<MetricFamily> families(const HealthFigures& figures) {
         gauge("resident_memory_megabytes", "Memory of the process", figures.resident_mb),
         stage_times(figures.stages),
         temperatures(figures.temperatures)};
+    if (figures.projector_off_mm)
+        all.push_back(gauge("projector_off_millimetres",
+                            "How far from where it should the projector's light fell when last checked",
+                            *figures.projector_off_mm));
     if (figures.lost_packets)
         all.push_back(
             counter("lost_packets_total", "Packets of the camera that USB lost", *figures.lost_packets));

@@ -22,6 +22,7 @@ struct HealthFigures {
     std::map<std::string, std::uint64_t> faults;     ///< of the camera, by kind
     std::map<std::string, std::uint64_t> restarts;   ///< of the camera, by what was done
     std::map<std::string, std::uint64_t> unsaved{};  ///< what could not be written to the disk
+    std::optional<double> projector_off_mm;          ///< where its light fell when it was last looked at
     double frame_rate_hz = 0.0;
     double resident_mb = 0.0;
     std::vector<StageSummary> stages;

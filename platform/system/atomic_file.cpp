@@ -128,6 +128,11 @@ void check_writable(const std::filesystem::path& path) {
 
 std::filesystem::path previous_of(const std::filesystem::path& path) { return path.string() + ".previous"; }
 
+std::vector<std::filesystem::path> names_of(const std::filesystem::path& path) {
+    const std::filesystem::path previous = previous_of(path);
+    return {path, previous, beside(path), beside(previous)};
+}
+
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes, Previous previous) {
     Descriptor file = open_beside(path);
     TemporaryFile temporary(beside(path));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace touchstone {
 
@@ -15,6 +16,10 @@ enum class Previous {
 
 /// Where the content before the last write is kept: path + ".previous".
 std::filesystem::path previous_of(const std::filesystem::path& path);
+
+/// Every name under which content of the file at `path` may lie: itself, the previous one, and what a power
+/// cut leaves of a write of either.
+std::vector<std::filesystem::path> names_of(const std::filesystem::path& path);
 
 /// Puts `bytes` in the file at `path`: readers, and a power cut, see the old content or the whole new one.
 /// Written beside it, flushed to the disk, then renamed, and the folder flushed. The folder must exist, and

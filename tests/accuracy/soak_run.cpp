@@ -21,13 +21,12 @@ constexpr double sample_every_s = 5.0;
 constexpr int fault_frames = 8;  // more frames than this are not dropped: the camera gave none
 constexpr int beside_fault_frames = 45;
 constexpr double lag_memory_s = 30.0;  // of the quickest frame, with which others are compared
-constexpr double frame_s = 1.0 / 30.0;
 
 /// Lags of frames: their lines' times of arrival less their own times, over the least of late.
 class LagMeter {
   public:
-    double take_ms(double arrived_s, double frame_s_at) {
-        const double behind_s = arrived_s - frame_s_at;
+    double take_ms(double arrived_s, double given_s) {
+        const double behind_s = arrived_s - given_s;
         if (std::abs(behind_s - least_s_) > 10.0 || arrived_s - since_s_ > lag_memory_s) {
             least_s_ = std::min(next_least_s_, behind_s);  // the clock jumped, or it drifts
             next_least_s_ = std::numeric_limits<double>::max();
@@ -82,7 +81,7 @@ class Soak {
         } else {
             score_.dropped += std::max(missing, 0);
             ++score_.frames;
-            whole_s_ += (1 + missing) * frame_s;
+            whole_s_ += at_s - score_.seconds;
             const double lag_ms = lag_.take_ms(at_s, 1e-6 * line["time_us"].get<double>());
             lags_ms_.push_back(static_cast<float>(lag_ms));
             next_.worst_lag_ms = std::max(next_.worst_lag_ms, lag_ms);

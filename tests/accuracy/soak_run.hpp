@@ -34,7 +34,7 @@ struct SoakScore {
     int frames = 0;
     int dropped = 0;  ///< that the camera gave and nobody processed, outside faults
     int faults = 0, restarts = 0;
-    double rate_hz = 0.0;  ///< of the frames processed, over the time without faults
+    double rate_hz = 0.0;  ///< of the frames processed, by the wall clock, over the time without faults
     /// From when a frame could be read to its line in the event log: more than the quickest of its time.
     double median_lag_ms = 0.0, p99_lag_ms = 0.0, worst_lag_ms = 0.0;
     double start_mb = 0.0, end_mb = 0.0;  ///< resident, the mean of minute 2 and of the last one

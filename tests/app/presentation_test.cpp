@@ -91,7 +91,8 @@ TEST(TwoLoops, AScreenThatHangsHoldsUpNoTouches) {
     TerminationSignals signals;
     Perception perception(options);
     Presentation presentation(options, [&] { return std::make_unique<FakeDisplay>(hang); });
-    run_two_loops(perception, presentation, signals);
+    ServiceWatch watch;
+    run_two_loops(perception, presentation, signals, watch);
     EXPECT_TRUE(hung);
     EXPECT_TRUE(went_on);
     EXPECT_EQ(lines_in(*options.events_file), 60);

@@ -81,13 +81,15 @@ TEST(Kill, OfTheProgramLeavesAScanWithWhichItStarts) {
     for (int i = 0; i < kills; ++i) {
         RunningProgram program(folder.command("sim:flat?hands=2&seed=3"));
         // Half of them just when the scan is written.
-        if (i % 2 == 0)
+        if (i % 2 == 0) {
             ASSERT_TRUE(
                 folder.comes_to(std::filesystem::exists(folder / "table.scan") ? "live" : "scanning"));
+        }
         std::this_thread::sleep_for(std::chrono::milliseconds(random() % 700));
         EXPECT_EQ(program.finish(SIGKILL).status, 128 + SIGKILL);
-        if (std::filesystem::exists(folder / "table.scan"))
+        if (std::filesystem::exists(folder / "table.scan")) {
             ASSERT_NO_THROW((void)load_scan(folder / "table.scan"));
+        }
     }
     const ProgramResult result =
         run_program(folder.command("sim:flat?hands=0&seed=3", {"--frames", "40", "--pace", "step"}));

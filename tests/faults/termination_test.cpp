@@ -23,8 +23,9 @@ void expect_good_end(RunningProgram& program, const TableFolder& folder) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, in_time) << result.err;
     for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
         EXPECT_NE(entry.path().extension(), ".new") << entry.path();
-    if (std::filesystem::exists(folder / "table.scan"))
+    if (std::filesystem::exists(folder / "table.scan")) {
         EXPECT_NO_THROW((void)load_scan(folder / "table.scan"));
+    }
 }
 
 TEST(Termination, WhileItStartsWithoutACamera) {

@@ -37,6 +37,7 @@ class OperatorPanelTest : public SceneFixture {
         canvas.begin({960.f, 600.f}, layout.scale);
         OperatorPanel panel;
         panel.toggle();
+        panel.update(frame_, SurfaceGeometry(frame_, view_size));
         panel.draw(canvas, layout.view, SurfaceGeometry(frame_, view_size), frame_);
         return panel.place_px(button);
     }
@@ -103,6 +104,21 @@ TEST_F(OperatorPanelTest, ButtonsAskForWhatTheySay) {
     press(OperatorButton::recalibrate, 1.f);
     EXPECT_EQ(presenter_->operator_wish().recalibrations, 1);
     EXPECT_FALSE(is_open()) << "the crosses lie under it";
+}
+
+TEST_F(OperatorPanelTest, OnlyAProjectorIsCalibrated) {
+    open_by_touch();
+    pass(0.3f);
+    EXPECT_TRUE(button_px(OperatorButton::calibrate_projector).isEmpty());
+    auto with = std::make_shared<OperatorView>(*frame_.operating);
+    with->can_calibrate_projector = true;
+    frame_.operating = with;
+    pass(0.3f);
+    press(OperatorButton::calibrate_projector);
+    EXPECT_EQ(presenter_->operator_wish().projector_calibrations, 0) << "it is held, not tapped";
+    press(OperatorButton::calibrate_projector, 1.f);
+    EXPECT_EQ(presenter_->operator_wish().projector_calibrations, 1);
+    EXPECT_FALSE(is_open()) << "its patterns lie under it";
 }
 
 TEST_F(OperatorPanelTest, WhereNothingIsRecordedTheButtonIsDead) {

@@ -65,7 +65,8 @@ TEST_F(ReferencePictures, OperatorPanel) {
                               "touches out", "volumetric integration, raycast", "frame"})
         view->stages.push_back({stage, 3.5, 5.25, 300});
     view->faults = {"14:03:12 silent: The depth camera is silent", "13:58:01 lost: it was pulled out"};
-    view->can_record = true;
+    view->can_record = view->can_calibrate_projector = true;
+    view->projector = "The projector's light falls right: 0.4 mm (0.5 pixels) off, by 12 squares.";
     view->depth.size = view->mask.size = {160, 120};
     for (int i = 0; i < 160 * 120; ++i) {
         view->depth.gray.push_back(static_cast<std::uint8_t>(i % 160 + 40));

@@ -34,6 +34,7 @@ struct SourceInfo {
     int color_height_px = 0;
     double rate_hz = 30.0;
     Pace default_pace = Pace::live;
+    bool has_automatics = false;  ///< exposure and white balance of its colour camera can be held
 };
 
 /// What a driver of ours replays or makes up. The OpenNI2 plumbing (device, streams, pace, end of stream) is

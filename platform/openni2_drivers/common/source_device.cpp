@@ -71,6 +71,7 @@ oni::driver::StreamBase* SourceDevice::createStream(OniSensorType sensor) {
         running_changed();
         return true;
     });
+    if (!depth && info_.has_automatics) stream->offer_automatics([](CameraAutomatic, bool) { return true; });
     return stream.get();
 }
 

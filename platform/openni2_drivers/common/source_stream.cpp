@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "platform/openni2_drivers/common/property_value.hpp"
@@ -23,6 +24,12 @@ bool same_mode(const OniVideoMode& a, const OniVideoMode& b) {
 void reverse_row(const std::byte* row, std::byte* target, std::size_t pixels, std::size_t bytes_each) {
     for (std::size_t x = 0; x < pixels; ++x)
         std::memcpy(target + x * bytes_each, row + (pixels - 1 - x) * bytes_each, bytes_each);
+}
+
+std::optional<CameraAutomatic> automatic_of(int property) {
+    if (property == ONI_STREAM_PROPERTY_AUTO_EXPOSURE) return CameraAutomatic::exposure;
+    if (property == ONI_STREAM_PROPERTY_AUTO_WHITE_BALANCE) return CameraAutomatic::white_balance;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -46,7 +53,22 @@ void SourceStream::stop() {
     running_changed_();
 }
 
+void SourceStream::offer_automatics(std::function<bool(CameraAutomatic, bool)> switch_camera) {
+    switch_camera_ = std::move(switch_camera);
+}
+
+OniStatus SourceStream::switch_automatic(CameraAutomatic what, const void* data, int size) {
+    const auto wanted = take_property<OniBool>(data, size);
+    if (!wanted) return ONI_STATUS_BAD_PARAMETER;
+    const bool on = *wanted != FALSE;
+    if (!switch_camera_(what, on)) return ONI_STATUS_ERROR;
+    is_on(what) = on;
+    return ONI_STATUS_OK;
+}
+
 OniStatus SourceStream::getProperty(int id, void* data, int* size) {
+    if (const auto what = automatic_of(id); what && switch_camera_)
+        return give_property(OniBool{is_on(*what) ? TRUE : FALSE}, data, size);
     const OniVideoMode& mode = description_.mode;
     switch (id) {
         case ONI_STREAM_PROPERTY_VIDEO_MODE:
@@ -76,6 +98,8 @@ OniStatus SourceStream::getProperty(int id, void* data, int* size) {
 }
 
 OniStatus SourceStream::setProperty(int id, const void* data, int size) {
+    if (const auto what = automatic_of(id); what && switch_camera_)
+        return switch_automatic(*what, data, size);
     if (id == ONI_STREAM_PROPERTY_VIDEO_MODE) {
         const auto mode = take_property<OniVideoMode>(data, size);
         return mode && same_mode(*mode, description_.mode) ? ONI_STATUS_OK : ONI_STATUS_NOT_SUPPORTED;
@@ -100,6 +124,9 @@ OniBool SourceStream::isPropertySupported(int id) {
         case ONI_STREAM_PROPERTY_MAX_VALUE:
         case ONI_STREAM_PROPERTY_MIN_VALUE:
             return description_.sensor == ONI_SENSOR_DEPTH;
+        case ONI_STREAM_PROPERTY_AUTO_EXPOSURE:
+        case ONI_STREAM_PROPERTY_AUTO_WHITE_BALANCE:
+            return switch_camera_ ? TRUE : FALSE;
         default:
             return FALSE;
     }

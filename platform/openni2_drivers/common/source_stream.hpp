@@ -20,6 +20,9 @@ struct StreamDescription {
     int max_depth_mm = 65535;
 };
 
+/// What a colour camera does by itself unless it is told not to.
+enum class CameraAutomatic { exposure, white_balance };
+
 /// The whole angle that `size_px` pixels cover, radians.
 float field_of_view_rad(int size_px, float focal_px);
 
@@ -32,6 +35,8 @@ class SourceStream : public oni::driver::StreamBase {
     OniStatus start() override;
     void stop() override;
     bool running() const { return running_; }
+    /// Makes them properties of the stream, on at first. `switch_camera` says whether the camera obeyed.
+    void offer_automatics(std::function<bool(CameraAutomatic, bool on)> switch_camera);
     /// For a driver whose camera geometry changes; listeners are told.
     void set_field_of_view(float horizontal_rad, float vertical_rad);
 
@@ -46,11 +51,17 @@ class SourceStream : public oni::driver::StreamBase {
 
   private:
     void copy_rows(const void* pixels, std::size_t bytes, void* target) const;
+    OniStatus switch_automatic(CameraAutomatic what, const void* data, int size);
+    std::atomic<bool>& is_on(CameraAutomatic what) {
+        return what == CameraAutomatic::exposure ? auto_exposure_ : auto_white_balance_;
+    }
 
     StreamDescription description_;
     std::function<bool()> running_changed_;
     std::atomic<bool> running_ = false;
     std::atomic<bool> mirrored_ = false;
+    std::function<bool(CameraAutomatic, bool)> switch_camera_;  ///< empty: they are not offered
+    std::atomic<bool> auto_exposure_ = true, auto_white_balance_ = true;
 };
 
 }  // namespace touchstone

@@ -9,4 +9,5 @@ extern "C" {
 #pragma weak freenect_copy_registration
 #pragma weak freenect_destroy_registration
 #pragma weak freenect_enabled_subdevices
+#pragma weak freenect_set_flag
 }

@@ -122,6 +122,9 @@ oni::driver::StreamBase* KinectDevice::createStream(OniSensorType sensor) {
         stream = std::make_unique<SourceStream>(depth ? depth_description_ : color_description_, [this] {
             return thread_.run([this](freenect_context*) { return apply_running(); });
         });
+        if (!depth && freenect_set_flag != nullptr)
+            stream->offer_automatics(
+                [this](CameraAutomatic what, bool on) { return switch_automatic(what, on); });
         return stream.get();
     });
 }

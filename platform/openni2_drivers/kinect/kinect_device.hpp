@@ -51,6 +51,7 @@ class KinectDevice : public oni::driver::DeviceBase {
     OniStatus set_light(const void* data, int size);
     OniStatus set_tilt(const void* data, int size);
     OniStatus get_motion(int id, void* data, int* size);
+    bool switch_automatic(CameraAutomatic what, bool on);
     Intrinsics intrinsics() const;
 
     FreenectThread& thread_;

@@ -100,6 +100,14 @@ OniStatus KinectDevice::set_registered(const void* data, int size) {
     return ONI_STATUS_OK;
 }
 
+bool KinectDevice::switch_automatic(CameraAutomatic what, bool on) {
+    const freenect_flag flag =
+        what == CameraAutomatic::exposure ? FREENECT_AUTO_EXPOSURE : FREENECT_AUTO_WHITE_BALANCE;
+    return thread_.run([&](freenect_context*) {
+        return freenect_set_flag(device_, flag, on ? FREENECT_ON : FREENECT_OFF) >= 0;
+    });
+}
+
 OniStatus KinectDevice::set_light(const void* data, int size) {
     const auto light = take_property<int>(data, size);
     const auto led = light ? led_of(*light) : std::nullopt;

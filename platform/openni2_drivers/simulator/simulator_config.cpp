@@ -17,7 +17,7 @@ constexpr std::string_view key_names =
     "poses, motion, "
     "person, person_s, mesh, size_m, grip, distance, object, put_s, take_s, cycle_s, knock_s, knock_deg, "
     "knock_mm, unplug_at, stall_at, freeze_at, tear, tear_every, clock_jump, fault_s, faults_every, "
-    "projector, ambient, guided, projector_truth";
+    "projector, ambient, guided, projector_truth, projector_moved_mm, color";
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ExitStatus::usage, "sensor URI sim: " + message);
@@ -116,6 +116,7 @@ void check_projector(const SimulatorConfig& config) {
     if (config.projector) return;
     if (config.guided) refuse("key guided needs projector=1: hands touch what it shows");
     if (!config.projector_truth_path.empty()) refuse("key projector_truth needs projector=1");
+    if (config.projector_moved_mm != 0.0) refuse("key projector_moved_mm needs projector=1");
 }
 
 /// Whether a key says anything about a scene of this kind.
@@ -165,6 +166,8 @@ bool set_switch(Parsed& parsed, std::string_view key, std::string_view value) {
         parsed.config.human_timing = parse_switch(key, value);
     else if (key == "projector")
         parsed.config.projector = parse_switch(key, value);
+    else if (key == "color")
+        parsed.config.color = parse_switch(key, value);
     else if (key == "guided")
         parsed.config.guided = parse_switch(key, value);
     else
@@ -199,6 +202,8 @@ bool set_number(SimulatorConfig& config, std::string_view key, std::string_view 
         config.size_m = parse_number(key, value, 0.02, 0.5);
     else if (key == "distance")
         config.distance_m = parse_number(key, value, 0.5, 1.5);
+    else if (key == "projector_moved_mm")
+        config.projector_moved_mm = parse_number(key, value, -500.0, 500.0);
     else if (key == "knock_s")
         config.knock_s = parse_number(key, value, 0.0, 3600.0);
     else if (key == "knock_deg")

@@ -91,6 +91,8 @@ struct SimulatorConfig {
     double knock_deg = 0.0;            ///< it turns by so much about an axis from the seed
     double knock_mm = 0.0;             ///< and is shifted by so much in a direction from the seed
     bool projector = false;            ///< lights the table with what the program shows
+    double projector_moved_mm = 0.0;   ///< to the right, from where the seed hangs it
+    bool color = true;                 ///< the camera has a colour picture
     double ambient = 0.3;              ///< light of the room beside it, 0..1
     bool guided = false;               ///< hands touch what they are asked to, and nothing else
     std::string projector_truth_path;  ///< empty = the true projector is not told

@@ -21,8 +21,8 @@ namespace {
 using namespace sim;
 
 SourceInfo make_info(const SimulatorConfig& config, const TableView& view) {
-    return {view.intrinsics,           true,           view.intrinsics.width_px,
-            view.intrinsics.height_px, config.rate_hz, Pace::live};
+    const Intrinsics& k = view.intrinsics;
+    return {k, config.color, k.width_px, k.height_px, config.rate_hz, Pace::live, config.color};
 }
 
 /// Half the width of what the camera sees of the table along its optical axis.
@@ -109,6 +109,7 @@ struct SimulatorSource::State {
 
 void SimulatorSource::State::set_up_projector() {
     projector = make_projector(view, config.seed);
+    projector->position_s.x() += 0.001F * static_cast<float>(config.projector_moved_mm);
     light.emplace(*projector, static_cast<float>(config.ambient), config.seed);
     if (!config.projector_truth_path.empty()) write_projector(config.projector_truth_path, *projector, view);
 }

@@ -1,5 +1,6 @@
 #include "platform/camera/depth_camera.hpp"
 
+#include <OpenNI.h>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -83,6 +84,99 @@ TEST(DepthCamera, ColorOfAnotherSizeIsScaledToTheDepth) {
     const std::vector<std::uint8_t> expected{1, 2, 3, 1, 2, 3, 4, 5, 6, 4, 5, 6,
                                              1, 2, 3, 1, 2, 3, 4, 5, 6, 4, 5, 6};
     EXPECT_EQ(frames[0].color_rgb, expected);
+}
+
+TEST(DepthCamera, ColorsCanBeWatchedForAWhile) {
+    const TemporaryFolder folder;
+    write_sequence(folder, 12, true);
+    DepthCamera camera = DepthCamera::open(sequence_uri(folder), Pace::step, false);
+    EXPECT_TRUE(camera.can_see_color());
+    for (int index = 0; index < 12; ++index) {
+        if (index == 4) camera.watch_color(true);
+        if (index == 8) camera.watch_color(false);
+        const bool watched = index >= 4 && index < 8;
+        EXPECT_EQ(camera.has_color(), watched);
+        const ReadResult result = camera.read(patient_ms);
+        const auto* frame = std::get_if<DepthFrame>(&result);
+        ASSERT_NE(frame, nullptr);
+        EXPECT_EQ(frame->index, index);
+        EXPECT_EQ(frame->color_rgb, watched ? numbered_color(index).pixels : std::vector<std::uint8_t>())
+            << index;
+    }
+}
+
+TEST(DepthCamera, ColorsThatAreWantedAlwaysStay) {
+    const TemporaryFolder folder;
+    write_sequence(folder, 2, true);
+    DepthCamera camera = DepthCamera::open(sequence_uri(folder), Pace::step, true);
+    camera.watch_color(true);
+    camera.watch_color(false);
+    EXPECT_TRUE(camera.has_color());
+}
+
+TEST(DepthCamera, WhereThereIsNoColourNoneIsWatched) {
+    const TemporaryFolder folder;
+    write_sequence(folder, 2);
+    DepthCamera blind = DepthCamera::open(sequence_uri(folder), Pace::step, false);
+    EXPECT_FALSE(blind.can_see_color());
+    blind.watch_color(true);
+    EXPECT_FALSE(blind.has_color());
+}
+
+/// What another program that has the same camera open sees.
+class ColorSettings {
+  public:
+    explicit ColorSettings(const char* uri) {
+        EXPECT_EQ(device_.open(uri), openni::STATUS_OK);
+        EXPECT_EQ(color_.create(device_, openni::SENSOR_COLOR), openni::STATUS_OK);
+    }
+    ~ColorSettings() {
+        color_.destroy();
+        device_.close();
+    }
+    bool are_automatic() {
+        const auto& settings = *color_.getCameraSettings();
+        EXPECT_EQ(settings.getAutoExposureEnabled(), settings.getAutoWhiteBalanceEnabled());
+        return settings.getAutoExposureEnabled();
+    }
+
+  private:
+    openni::Device device_;
+    openni::VideoStream color_;
+};
+
+TEST(DepthCamera, ExposureIsHeldUntilItIsReleasedOrTheCameraGoes) {
+    const SensorSession session;
+    const char* const uri = "sim:flat?hands=0";
+    ColorSettings settings(uri);
+    EXPECT_TRUE(settings.are_automatic());
+    {
+        DepthCamera camera = DepthCamera::open(uri, Pace::step, false);
+        EXPECT_FALSE(camera.hold_exposure()) << "no colours are watched";
+        camera.watch_color(true);
+        EXPECT_TRUE(camera.hold_exposure());
+        EXPECT_FALSE(settings.are_automatic());
+        camera.release_exposure();
+        EXPECT_TRUE(settings.are_automatic());
+        EXPECT_TRUE(camera.hold_exposure());
+        camera.watch_color(false);
+        EXPECT_TRUE(settings.are_automatic()) << "nothing is held that is not watched";
+    }
+    try {
+        DepthCamera camera = DepthCamera::open(uri, Pace::step, true);
+        EXPECT_TRUE(camera.hold_exposure());
+        EXPECT_FALSE(settings.are_automatic());
+        throw Error(ExitStatus::bad_data, "something fails while stripes are shown");
+    } catch (const Error&) {
+        EXPECT_TRUE(settings.are_automatic());
+    }
+}
+
+TEST(DepthCamera, ACameraThatHoldsNothingSaysSo) {
+    const TemporaryFolder folder;
+    write_sequence(folder, 2, true);
+    DepthCamera camera = DepthCamera::open(sequence_uri(folder), Pace::step, true);
+    EXPECT_FALSE(camera.hold_exposure());
 }
 
 TEST(DepthCamera, LivePaceDropsRatherThanQueues) {

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "tests/platform/camera/camera_fixtures.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/small_recording.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -35,8 +36,23 @@ constexpr std::size_t file_header = 24, type_in_record = 4, node_in_record = 8, 
                       payload_in_record = 16, record_header = 28;
 
 TEST_F(RecordingCheck, TakesAWholeOne) {
-    std::ofstream(path_, std::ios::binary) << test::small_recording();
-    check_recording(path_.string());
+    for (const test::ListAt list : {test::ListAt::before_end, test::ListAt::after_end}) {
+        std::ofstream(path_, std::ios::binary) << test::small_recording(list);
+        check_recording(path_.string());
+    }
+}
+
+/// Streams begin within one another, and are removed before their lists of pictures.
+TEST_F(RecordingCheck, TakesWhatOpenNisRecorderWrites) {
+    for (const bool color : {false, true}) {
+        write_sequence(folder_, 5, true);
+        {
+            DepthCamera camera = DepthCamera::open(sequence_uri(folder_), Pace::step, color);
+            camera.start_recording(path_.string());
+            ASSERT_EQ(read_to_end(camera).size(), 5u);
+        }
+        check_recording(path_.string());
+    }
 }
 
 TEST_F(RecordingCheck, TakesOneOfARealSensor) {
@@ -57,7 +73,8 @@ TEST_F(RecordingCheck, OtherFilesAndVersions) {
 
 TEST_F(RecordingCheck, EveryTruncation) {
     const std::string whole = test::small_recording();
-    for (std::size_t size = 4; size < whole.size(); size += 7) expect_refused(whole.substr(0, size), "cut short");
+    for (std::size_t size = 4; size < whole.size(); ++size)
+        expect_refused(whole.substr(0, size), "cut short");
 }
 
 /// What makes OpenNI's player write past its buffers, wait for ever or take all memory.
@@ -66,7 +83,7 @@ TEST_F(RecordingCheck, SizesAndNumbersThatCannotBe) {
     expect_refused(with(20, 0xffff'fffe), "more streams");
     expect_refused(with(file_header, 7), "should be a record");
     expect_refused(with(file_header + type_in_record, 99), "should be a record");
-    expect_refused(with(file_header + node_in_record, 1), "stream that there is not");
+    expect_refused(with(file_header + node_in_record, 2), "stream that there is not");
     expect_refused(with(file_header + fields_in_record, 27), "a size that none can have");
     expect_refused(with(file_header + fields_in_record, 0x7fff'ffff), "a size that none can have");
     expect_refused(with(file_header + payload_in_record, 8), "what it cannot");

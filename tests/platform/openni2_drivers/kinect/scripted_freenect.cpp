@@ -197,6 +197,12 @@ int freenect_set_tilt_degs(freenect_device*, double degrees) {
     script().tilt_deg = degrees;
     return 0;
 }
+int freenect_set_flag(freenect_device*, freenect_flag flag, freenect_flag_value value) {
+    if (!script().takes_flags) return -1;
+    if (flag == FREENECT_AUTO_EXPOSURE) script().auto_exposure = value;
+    if (flag == FREENECT_AUTO_WHITE_BALANCE) script().auto_white_balance = value;
+    return 0;
+}
 int freenect_set_led(freenect_device*, freenect_led_options led) {
     script().led = led;
     return 0;

@@ -25,6 +25,8 @@ struct ScriptedFreenect {
 
     std::atomic<int> contexts = 0, opened = 0, depth_streams = 0, color_streams = 0;
     std::atomic<int> color_starts = 0, registrations = 0, led = -1;
+    std::atomic<int> auto_exposure = 1, auto_white_balance = 1;
+    std::atomic<bool> takes_flags = true;
     std::atomic<double> tilt_deg = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "pipeline/gray_code_session.hpp"
+#include "pipeline/pattern_session.hpp"
 
 #include <algorithm>
 
@@ -17,12 +17,12 @@ std::vector<float> gray_of(std::span<const std::uint8_t> rgb) {
 
 }  // namespace
 
-std::optional<int> GrayCodeSession::pattern() const {
+std::optional<int> PatternSession::pattern() const {
     if (is_over_) return std::nullopt;
-    return std::min(static_cast<int>(seen_.size()), code_.patterns() - 1);
+    return std::min(static_cast<int>(seen_.size()), patterns_ - 1);
 }
 
-void GrayCodeSession::take(std::span<const std::uint8_t> rgb, bool disturbed) {
+void PatternSession::take(std::span<const std::uint8_t> rgb, bool disturbed) {
     if (!pattern()) return;
     if (disturbed) {
         if (quiet_ == 0) begin_again();
@@ -33,7 +33,7 @@ void GrayCodeSession::take(std::span<const std::uint8_t> rgb, bool disturbed) {
         --quiet_;
         return;
     }
-    if (static_cast<int>(seen_.size()) == code_.patterns()) {
+    if (static_cast<int>(seen_.size()) == patterns_) {
         is_over_ = true;
         return;
     }
@@ -54,17 +54,13 @@ void GrayCodeSession::take(std::span<const std::uint8_t> rgb, bool disturbed) {
     wait_ = config_.settle_frames;
 }
 
-void GrayCodeSession::begin_again() {
+void PatternSession::begin_again() {
     if (++disturbances_ > config_.most_disturbances)
         throw Error(ExitStatus::bad_data,
                     "something moves in the view all the time: keep away from the table, and try again");
     if (!seen_.empty()) seen_.pop_back();
     frames_ = 0;
     wait_ = config_.settle_frames;
-}
-
-CellPicture GrayCodeSession::cells(int width_px, int height_px) const {
-    return decode_cells(code_, seen_, width_px, height_px, config_.decode);
 }
 
 }  // namespace touchstone

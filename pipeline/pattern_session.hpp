@@ -3,26 +3,22 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
-
-#include "pipeline/gray_code.hpp"
 
 namespace touchstone {
 
-struct GrayCodeSessionConfig {
+struct PatternSessionConfig {
     int settle_frames = 5;       ///< between showing a pattern and seeing it: projectors are late
     int frames_per_pattern = 2;  ///< whose mean is taken
     int quiet_frames = 10;       ///< after a disturbance
     int most_disturbances = 60;  ///< patterns that were begun again, in all
-    GrayDecodeConfig decode;
 };
 
-/// The patterns one after the other, each shown until it was seen undisturbed.
-class GrayCodeSession {
+/// Patterns one after the other, each shown until a colour camera saw it undisturbed.
+class PatternSession {
   public:
-    explicit GrayCodeSession(const GrayCode& code, const GrayCodeSessionConfig& config = {})
-        : code_(code), config_(config), wait_(config.settle_frames) {}
+    PatternSession(int patterns, const PatternSessionConfig& config = {})
+        : patterns_(patterns), config_(config), wait_(config.settle_frames) {}
 
     /// To be shown now; none once all were seen.
     std::optional<int> pattern() const;
@@ -34,15 +30,14 @@ class GrayCodeSession {
     bool is_disturbed() const { return quiet_ > 0; }
     /// Times that patterns were begun again.
     int disturbances() const { return disturbances_; }
-    /// Once all were seen, in the pixels of that camera.
-    CellPicture cells(int width_px, int height_px) const;
-    const GrayCode& code() const { return code_; }
+    /// Grey, one picture for each pattern that was seen.
+    const std::vector<std::vector<float>>& seen() const { return seen_; }
 
   private:
     void begin_again();
 
-    GrayCode code_;
-    GrayCodeSessionConfig config_;
+    int patterns_;
+    PatternSessionConfig config_;
     std::vector<std::vector<float>> seen_;
     std::vector<float> sum_;
     int frames_ = 0, wait_ = 0, quiet_ = 0, disturbances_ = 0;
