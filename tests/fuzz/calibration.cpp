@@ -36,7 +36,7 @@ std::vector<std::string> seeds() {
     std::vector<std::string> all;
     for (const char* name : {"pinhole", "homography", "bias"})
         for (const std::string& seed : checked_seeds(folder / name, folder.bytes(name)))
-            all.push_back((std::string_view(name) == "bias" ? "b" : "p") + seed);
+            all.push_back(marked(std::string_view(name) == "bias" ? 'b' : 'p', seed));
     all.emplace_back(R"(bf{"along_mm": 1.5, "across_mm": -0.25})");
     return all;
 }

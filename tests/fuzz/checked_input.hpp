@@ -41,7 +41,7 @@ inline FileFormat format_of(std::string_view file) {
 /// Seeds of all three kinds for a file that the program wrote.
 inline std::vector<std::string> checked_seeds(const std::filesystem::path& written, const std::string& file) {
     const std::string content = read_checked_file(written, format_of(file));
-    return {"c" + content, "s" + file, "f" + file};
+    return {marked('c', content), marked('s', file), marked('f', file)};
 }
 
 /// Puts the file that an input stands for in its place.

@@ -1,6 +1,4 @@
 // The configuration, the models of cameras, and the words of a sensor URI.
-#include <fmt/format.h>
-
 #include "app/config.hpp"
 #include "platform/camera/sensor_models.hpp"
 #include "platform/openni2_drivers/simulator/simulator_config.hpp"
@@ -10,13 +8,13 @@ namespace touchstone::fuzz {
 
 std::vector<std::string> seeds() {
     std::vector<std::string> all{
-        fmt::format("c{}", print_config(Config{})),
+        marked('c', print_config(Config{})),
         "c[sensor]\nuri = \"sim:flat\"\nmode = \"320x240@60\"\n[tuio]\nport = 3333\n",
         "c[display]\nwidth_px = 1_280 # wide\nscene = '''paint'''\n",
         "umixed?hands=2&seed=7&frames=30&height=1.1&tilt=20&object=ball&put_s=3",
         "uroom?motion=sweep&person=0.4&person_s=2&knock_s=3&knock_deg=2&knock_mm=9"};
     std::ifstream models(std::string(TOUCHSTONE_SOURCE_DIR) + "/platform/camera/sensor_models.toml");
-    all.push_back(fmt::format("m{}", std::string(std::istreambuf_iterator<char>(models), {})));
+    all.push_back(marked('m', std::string(std::istreambuf_iterator<char>(models), {})));
     return all;
 }
 

@@ -45,8 +45,8 @@ std::vector<std::string> seeds() {
     }
     std::vector<std::string> all;
     for (const char* name : {"depth", "1", "3", "4"}) {
-        all.push_back("s" + folder.bytes(name));
-        all.push_back("f" + folder.bytes(name));
+        all.push_back(marked('s', folder.bytes(name)));
+        all.push_back(marked('f', folder.bytes(name)));
     }
     return all;
 }

@@ -33,7 +33,8 @@ void put_files(std::string_view input) {
         const std::string_view rest = input.substr(std::min(line + 1, input.size()));
         const std::size_t end = std::min(rest.find("\n="), rest.size());
         for (const std::string_view known : names)
-            if (name == "=" + std::string(known)) folder.put(std::string(known), rest.substr(0, end));
+            if (name.starts_with('=') && name.substr(1) == known)
+                folder.put(std::string(known), rest.substr(0, end));
         input = rest.substr(std::min(end + 1, rest.size()));
     }
 }

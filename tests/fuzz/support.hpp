@@ -19,6 +19,12 @@ inline std::string_view text_of(const std::uint8_t* bytes, std::size_t size) {
     return {reinterpret_cast<const char*>(bytes), size};
 }
 
+/// An input whose first byte says what the rest is.
+inline std::string marked(char kind, std::string_view rest) {
+    std::string input(1, kind);
+    return input.append(rest);
+}
+
 /// A folder in memory for readers that open files by name; it lasts as long as the process.
 class MemoryFolder {
   public:
