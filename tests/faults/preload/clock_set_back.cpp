@@ -53,6 +53,20 @@ int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex, co
     return next(condition, mutex, &end);
 }
 
+int pthread_timedjoin_np(pthread_t thread, void** result, const timespec* until) {
+    static const auto next =
+        reinterpret_cast<decltype(&pthread_timedjoin_np)>(dlsym(RTLD_NEXT, "pthread_timedjoin_np"));
+    const timespec end = true_time(*until);
+    return next(thread, result, &end);
+}
+
+int pthread_mutex_timedlock(pthread_mutex_t* mutex, const timespec* until) noexcept {
+    static const auto next =
+        reinterpret_cast<decltype(&pthread_mutex_timedlock)>(dlsym(RTLD_NEXT, "pthread_mutex_timedlock"));
+    const timespec end = true_time(*until);
+    return next(mutex, &end);
+}
+
 int sem_timedwait(sem_t* semaphore, const timespec* until) {
     static const auto next = reinterpret_cast<decltype(&sem_timedwait)>(dlsym(RTLD_NEXT, "sem_timedwait"));
     const timespec end = true_time(*until);
