@@ -103,7 +103,9 @@ TEST_P(PowerCut, ADamagedFileCostsTheLastSaveOnly) {
     thing.save(path_, 2);
     const DiskContent whole = content_of_folder(folder_.path());
     const std::string newest = whole.at(thing.name);
-    for (const std::string& damaged : {std::string(), newest.substr(0, newest.size() / 2),
+    std::string flipped = newest;
+    flipped[newest.size() / 2] = static_cast<char>(flipped[newest.size() / 2] ^ 1);
+    for (const std::string& damaged : {std::string(), flipped, newest.substr(0, newest.size() / 2),
                                        std::string(newest.size(), '\0'), std::string("{ nonsense")}) {
         DiskContent content = whole;
         content[thing.name] = damaged;
@@ -143,7 +145,7 @@ TEST(DiskRecorder, KnowsWhatIsNotOnTheDiskYet) {
     using Kind = DiskCall::Kind;
     std::vector<Kind> kinds;
     for (const DiskCall& call : recorder.calls()) kinds.push_back(call.kind);
-    EXPECT_EQ(kinds, (std::vector{Kind::create, Kind::write, Kind::flush, Kind::rename, Kind::flush_folder}));
+    ASSERT_EQ(kinds, (std::vector{Kind::create, Kind::write, Kind::flush, Kind::rename, Kind::flush_folder}));
     std::mt19937 random(1);
     bool lost = false, torn = false, whole = false;
     for (int i = 0; i < 200; ++i) {

@@ -19,7 +19,12 @@ namespace {
 constexpr unsigned longest_s = 10;
 constexpr std::size_t most_memory = std::size_t{2} << 30, most_growth = 1 << 20;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+// How clang tells; GCC defines macros.
+#ifndef __has_feature
+#define __has_feature(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
+    __has_feature(thread_sanitizer)
 constexpr bool is_watched_by_sanitizer = true;
 #else
 constexpr bool is_watched_by_sanitizer = false;
