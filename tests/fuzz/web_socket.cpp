@@ -21,6 +21,16 @@ Server& server() {
     return made;
 }
 
+/// The next bundle has come. A listener that answered no ping would be hung up on.
+bool hears(const WebSocketClient& listener) {
+    constexpr unsigned ping = 9;
+    for (;;) {
+        const auto message = listener.take();
+        if (!message || message->opcode != ping) return message.has_value();
+        listener.tcp().write(std::string("\x8a\x80\0\0\0\0", 6));
+    }
+}
+
 /// The connection's bytes in two writes, then its end. A client that listens gets its bundle every time.
 void send(std::string_view bytes) {
     {
@@ -31,7 +41,7 @@ void send(std::string_view bytes) {
     }
     if (++server().inputs % 16 != 0) return;
     server().channel.send(OscBundle(lo_bundle_new(LO_TT_IMMEDIATE)));
-    if (!server().listener.take()) {
+    if (!hears(server().listener)) {
         std::fprintf(stderr, "who listens hears nothing any more\n");
         std::abort();
     }
