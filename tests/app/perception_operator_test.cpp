@@ -75,8 +75,8 @@ TEST(PerceptionOperator, IsToldOnceWhatIsNotOnTheDisk) {
     const auto view = perception.step()->operating;
     ASSERT_TRUE(view);
     ASSERT_EQ(view->faults.size(), 2u);
-    EXPECT_NE(view->faults[0].find("disk: the painting is not kept: no room"), std::string::npos);
-    EXPECT_NE(view->faults[1].find("disk: the scan is not kept: cannot write /nowhere/table.scan"),
+    EXPECT_NE(view->faults[1].find("disk: the painting is not kept: no room"), std::string::npos);
+    EXPECT_NE(view->faults[0].find("disk: the scan is not kept: cannot write /nowhere/table.scan"),
               std::string::npos);
     perception.take(asking(true, 0, 0));
     perception.take(wish);

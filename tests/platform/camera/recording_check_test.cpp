@@ -72,9 +72,11 @@ TEST_F(RecordingCheck, OtherFilesAndVersions) {
 }
 
 TEST_F(RecordingCheck, EveryTruncation) {
-    const std::string whole = test::small_recording();
-    for (std::size_t size = 4; size < whole.size(); ++size)
-        expect_refused(whole.substr(0, size), "cut short");
+    for (const test::ListAt list : {test::ListAt::before_end, test::ListAt::after_end}) {
+        const std::string whole = test::small_recording(list);
+        for (std::size_t size = 4; size < whole.size(); ++size)
+            expect_refused(whole.substr(0, size), "cut short");
+    }
 }
 
 /// What makes OpenNI's player write past its buffers, wait for ever or take all memory.
