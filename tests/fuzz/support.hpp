@@ -25,11 +25,14 @@ inline std::string marked(char kind, std::string_view rest) {
     return input.append(rest);
 }
 
-/// A folder in memory for readers that open files by name; it lasts as long as the process.
+/// A folder for readers that open files by name, in memory unless TMPDIR says otherwise. libFuzzer ends
+/// without the destructors: who starts it takes the folder away.
 class MemoryFolder {
   public:
     MemoryFolder() {
-        std::string pattern = "/dev/shm/touchstone-fuzz-XXXXXX";
+        const char* const parent = std::getenv("TMPDIR");
+        std::string pattern(parent == nullptr ? "/dev/shm" : parent);
+        pattern.append("/touchstone-fuzz-XXXXXX");
         if (mkdtemp(pattern.data()) == nullptr) std::abort();
         path_ = pattern;
         set_log_level(LogLevel::error);
