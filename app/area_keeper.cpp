@@ -26,16 +26,24 @@ AreaKeeper::AreaKeeper(const RunOptions& options)
     : file_(options.config.areas_file),
       table_scene_(options.config.display.scene),
       on_surface_(throws_on_table(options)) {
-    if (file_.empty()) return;
+    if (!file_.empty()) load();
+}
+
+void AreaKeeper::load() {
     std::error_code none;
     if (!std::filesystem::exists(file_, none)) {
         log_info("no areas at {} yet: the table is one", file_);
         return;
     }
-    std::vector<NamedArea> areas = load_areas(file_);
-    check_scenes(areas, table_scene_, on_surface_);
-    log_info("{} areas: {}", areas.size(), file_);
-    assignment_ = AreaAssignment(std::move(areas));
+    try {
+        std::vector<NamedArea> areas = load_areas(file_);
+        check_scenes(areas, table_scene_, on_surface_);
+        log_info("{} areas: {}", areas.size(), file_);
+        assignment_ = AreaAssignment(std::move(areas));
+    } catch (const Error& error) {
+        words_ = error.what();
+        log_warning("{}; the table is one", words_);
+    }
 }
 
 void AreaKeeper::assign(const InteractionPipeline& pipeline, InteractionFrame& frame) {

@@ -17,7 +17,7 @@ namespace touchstone {
 class AreaKeeper {
   public:
     /// Reads the file that the configuration names, if any; a file that is not there yet is a table that is
-    /// one. Throws Error as load_areas and check_scenes.
+    /// one, and so is one that is wrong, which is said: see load_areas.
     explicit AreaKeeper(const RunOptions& options);
 
     /// Empty where the table is one.
@@ -37,6 +37,7 @@ class AreaKeeper {
     std::vector<ShownArea> shown(const InteractionPipeline& pipeline, const Intrinsics& intrinsics) const;
 
   private:
+    void load();
     void follow_camera(const InteractiveArea& table, const RigidTransform& T_g_c);
     std::vector<NamedArea> areas_of(std::span<const AreaDraft> drafts, const InteractiveArea& table) const;
     std::string free_name(const std::vector<NamedArea>& taken) const;

@@ -9,6 +9,7 @@
 
 #include "platform/system/atomic_file.hpp"
 #include "platform/system/error.hpp"
+#include "platform/system/log.hpp"
 #include "ui/scene_list.hpp"
 
 namespace touchstone {
@@ -99,6 +100,23 @@ class Reader {
     std::string file_;
 };
 
+std::vector<NamedArea> read(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    if (!file) throw Error(ExitStatus::no_input, "cannot read the areas " + path.string());
+    std::ostringstream text;
+    text << file.rdbuf();
+    return parse_areas(text.str(), path.string());
+}
+
+bool is_whole(const std::filesystem::path& path) {
+    try {
+        (void)read(path);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 std::string quoted(const std::string& text) {
     std::ostringstream out;
     out << toml::value<std::string>(text);
@@ -107,16 +125,22 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::vector<NamedArea> load_areas(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    if (!file) throw Error(ExitStatus::no_input, "cannot read the areas " + path.string());
-    std::ostringstream text;
-    text << file.rdbuf();
+std::vector<NamedArea> parse_areas(std::string_view text, const std::string& name) {
     try {
-        return Reader(path.string()).read(toml::parse(text.str()));
+        return Reader(name).read(toml::parse(text));
     } catch (const toml::parse_error& error) {
         throw Error(ExitStatus::configuration,
-                    fmt::format("{}:{}: {}", path.string(), error.source().begin.line, error.description()));
+                    fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
+    }
+}
+
+std::vector<NamedArea> load_areas(const std::filesystem::path& path) {
+    try {
+        return read(path);
+    } catch (const Error& error) {
+        if (!is_whole(previous_of(path))) throw;
+        log_warning("{}; the areas before it count", error.what());
+        return read(previous_of(path));
     }
 }
 
@@ -135,7 +159,8 @@ void save_areas(const std::filesystem::path& path, const std::vector<NamedArea>&
                                 area.corners_mm[i].y());
         text += "]\n";
     }
-    write_file_atomically(path, text);
+    const bool would_lose_the_last = !is_whole(path) && is_whole(previous_of(path));
+    write_file_atomically(path, text, would_lose_the_last ? Previous::untouched : Previous::kept);
 }
 
 void check_scenes(const std::vector<NamedArea>& areas, const std::string& table_scene, bool on_surface) {

@@ -31,6 +31,8 @@ std::string health_line(const HealthFigures& before, const HealthFigures& now, d
         total(now.restarts) - total(before.restarts));
     if (now.lost_packets)
         line += fmt::format(", {} packets lost on USB", *now.lost_packets - before.lost_packets.value_or(0));
+    if (const std::uint64_t unsaved = total(now.unsaved); unsaved > 0)
+        line += fmt::format(", {} times something could not be written", unsaved);
     for (const StageSummary& stage : now.stages) {
         if (stage.stage == "frame")
             line += fmt::format(", frame {:.1f} ms (99 % {:.1f})", stage.median_ms, stage.p99_ms);

@@ -29,6 +29,8 @@ class Health {
     /// The next frame may come from anywhere in time.
     void camera_opened() { last_frame_us_.reset(); }
     void fault(const std::string& kind) { ++figures_.faults[kind]; }
+    /// Something that the next start would have found could not be written.
+    void unsaved(const std::string& what) { ++figures_.unsaved[what]; }
     /// As DepthCamera tells them.
     void lost_packets(std::optional<std::uint64_t> packets) { figures_.lost_packets = packets; }
     /// As a check found it; nothing where none did.

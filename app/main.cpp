@@ -13,6 +13,7 @@
 #include "app/track_command.hpp"
 #include "platform/system/error.hpp"
 #include "platform/system/failure_note.hpp"
+#include "platform/system/one_line.hpp"
 
 namespace {
 
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
         return static_cast<int>(execute(touchstone::parse_command_line(argc, argv)));
     } catch (const touchstone::Error& error) {
         touchstone::keep_failure(error.what());
-        std::fprintf(stderr, "touchstone: %s\n", error.what());
+        std::fprintf(stderr, "touchstone: %s\n", touchstone::one_line(error.what()).c_str());
         return static_cast<int>(error.status());
     } catch (const std::exception& error) {
         touchstone::keep_failure(error.what());

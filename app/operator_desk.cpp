@@ -59,7 +59,8 @@ OperatorWish OperatorDesk::take(const OperatorWish& wish) {
             newly_asked(wish_.recordings, wish.recordings),
             newly_asked(wish_.projector_calibrations, wish.projector_calibrations),
             newly_asked(wish_.area_lists, wish.area_lists),
-            wish.areas};
+            wish.areas,
+            wish.unsaved};
 }
 
 void OperatorDesk::note_fault(const std::string& word, const std::string& reason,

@@ -50,7 +50,7 @@ Perception::Perception(const RunOptions& options)
     run_self_test(device_);
     log_info("computing on {}", device_.name());
     prepare_touch_bias();
-    if (!options.config.object_file.empty()) object_ = load_scan(options.config.object_file).volume;
+    load_object();
     if (!options_.config.sensor_uri.empty()) open_camera();
 }
 
@@ -192,15 +192,15 @@ void Perception::start_pipeline(const Intrinsics& intrinsics) {
     }
 }
 
-void Perception::save_scan_when_new(InteractionState state) {
-    if (state == InteractionState::scanning || state == InteractionState::realigning) scan_is_new_ = true;
-    if (state != InteractionState::live || !scan_is_new_ || options_.config.scan_file.empty()) return;
-    scan_is_new_ = false;
+void Perception::load_object() {
+    const std::string& file = options_.config.object_file;
+    if (file.empty()) return;
     try {
-        save_scan(options_.config.scan_file, pipeline_->saved_scan());
-        log_info("scan written: {}", options_.config.scan_file);
+        object_ = load_scan(file).volume;
     } catch (const Error& error) {
-        log_warning("{}; the next start scans anew", error.what());
+        if (error.status() != ExitStatus::bad_data) throw;
+        log_warning("{}; the object is not followed", error.what());
+        note_fault("object", error.what());
     }
 }
 
@@ -216,7 +216,7 @@ void Perception::prepare_touch_bias() {
             log_warning("{}; the crosses are to be touched anew", error.what());
         }
     }
-    check_writable(file);
+    keep("touch bias", "what the crosses tell is lost at the end", [&file] { check_writable(file); });
     crosses_.emplace(CrossStepConfig{});
 }
 
@@ -234,11 +234,9 @@ void Perception::take_crosses(const InteractionFrame& result) {
     pipeline_->set_touch_bias(bias_);
     if (options_.config.bias_file.empty())
         log_info("it is kept until the end: no [touch] bias_file is named");
-    try {
-        if (!options_.config.bias_file.empty()) save_touch_bias(options_.config.bias_file, *fit);
-    } catch (const Error& error) {
-        log_warning("{}; the next start asks for the crosses again", error.what());
-    }
+    else
+        keep("touch bias", "the next start asks for the crosses again",
+             [&] { save_touch_bias(options_.config.bias_file, *fit); });
     crosses_.reset();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "app/operator_desk.hpp"
 #include "app/projector_desk.hpp"
 #include "app/touch_outputs.hpp"
+#include "app/unsaved.hpp"
 #include "pipeline/cross_step.hpp"
 #include "pipeline/interaction_pipeline.hpp"
 #include "pipeline/particle_table.hpp"
@@ -69,8 +71,17 @@ class Perception {
     TableFrame without_frame(const std::string& state, const std::string& note);
     void publish(const InteractionFrame& result, const DepthFrame& frame);
     void start_pipeline(const Intrinsics& intrinsics);
-    /// A scan that cannot be written is no reason to stop: it is said.
+    /// Writes something; that it fails is said, with what it means otherwise, in the log and to the operator.
+    /// True where it went well.
+    bool keep(const std::string& what, const std::string& otherwise, const std::function<void()>& write);
+    /// Counts it, and keeps it for the operator. True where it is news.
+    bool note_unsaved(const std::string& what, const std::string& reason);
+    /// What others write, and log; no reason where it went well.
+    void take_unsaved(const std::string& what, const std::string& reason);
+    /// A scan that cannot be written is tried again once a minute.
     void save_scan_when_new(InteractionState state);
+    /// The scan of an object to follow: one that is damaged is not followed.
+    void load_object();
     /// Takes the bias of touches from its file, or begins to ask for it.
     void prepare_touch_bias();
     /// Whether crosses are to be touched; their touches are no others'.
@@ -134,6 +145,8 @@ class Perception {
     std::optional<InteractionState> to_follow_;  ///< of a frame that was seen only
     std::vector<std::uint8_t> color_to_follow_;  ///< of that frame; may be empty
     bool scan_is_new_ = false;                   ///< made or moved since it was last written
+    std::chrono::steady_clock::time_point next_scan_save_{};
+    Unsaved unsaved_;
 };
 
 /// For the mailbox: the newer frame, with the touch events of the one that was never drawn put before its

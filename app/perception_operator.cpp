@@ -15,6 +15,7 @@ void Perception::take(TableWish wish) {
     if (asked.recordings > 0) record_soon();
     if (asked.projector_calibrations > 0) calibrate_projector();
     if (asked.area_lists > 0) change_areas(asked.areas);
+    take_unsaved("painting", asked.unsaved);
 }
 
 void Perception::note_fault(const std::string& word, const std::string& reason) {
@@ -68,6 +69,7 @@ void Perception::follow_projector(const InteractionFrame& result, const DepthFra
     // A finger that still rests on the last cross touches nothing.
     if (calibrated && !projector_.calibrates()) release_touches();
     health_.projector_off(projector_.off_mm());
+    take_unsaved("projector's calibration", projector_.unsaved());
     shown.projector = projector_.model();
     shown.surface = projector_.surface();
     shown.thrown = projector_.thrown();

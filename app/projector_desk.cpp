@@ -160,9 +160,11 @@ void ProjectorDesk::take_over(const CalibrationResult& result, const TableLook& 
     say("The projector is calibrated: " + result.verdict + ".", true);
     try {
         save_projector(config_.file, saved);
+        unsaved_.clear();
         log_info("kept in {}", config_.file);
     } catch (const Error& error) {
-        say(fmt::format("{} It is not kept: {}.", words_, error.what()), false);
+        unsaved_ = error.what();
+        say(fmt::format("{} It is not kept: {}.", words_, unsaved_), false);
     }
 }
 

@@ -49,6 +49,8 @@ class ProjectorDesk {
     const std::string& words() const { return words_; }
     /// As the last look found it.
     std::optional<double> off_mm() const { return off_mm_; }
+    /// Why its last calibration is not on the disk; empty when nothing is wrong.
+    const std::string& unsaved() const { return unsaved_; }
 
   private:
     void load();
@@ -71,7 +73,7 @@ class ProjectorDesk {
     bool light_failed_ = false;  ///< the next calibration is by touch
     int answered_ = 0;           ///< of the mapping's doubts
     int quiet_ = 0, put_off_ = 0, unshown_ = 0;
-    std::string words_, size_note_;
+    std::string words_, size_note_, unsaved_;
     std::optional<double> off_mm_;
 };
 

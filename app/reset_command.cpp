@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 
+#include "platform/system/atomic_file.hpp"
 #include "ui/scene_setup.hpp"
 
 namespace touchstone {
@@ -15,13 +16,15 @@ namespace fs = std::filesystem;
 
 class Remover {
   public:
+    /// With the ones before it, which would come back else.
     void file(const std::string& name) {
-        if (!name.empty()) remove(name);
+        if (name.empty()) return;
+        for (const fs::path& path : names_of(name)) remove(path);
     }
     /// With those of areas, also of areas that are there no more.
     void paintings(const std::string& name) {
         if (name.empty()) return;
-        remove(name);
+        file(name);
         const fs::path table(name);
         const std::string prefix = table.filename().string() + area_painting_suffix;
         const fs::path folder = table.has_parent_path() ? table.parent_path() : fs::path(".");

@@ -6,13 +6,14 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "platform/system/atomic_file.hpp"
+#include "platform/system/checked_file.hpp"
 #include "platform/system/error.hpp"
 
 namespace touchstone {
 
 namespace {
 
+constexpr FileFormat format{"bias of touches", {'T', 'S', 'B', 'I', 'A', 'S', 0, 0}, 1, 1 << 16};
 constexpr double most_mm = 20.0;
 
 double length_mm(const nlohmann::json& file, const char* key) {
@@ -20,6 +21,13 @@ double length_mm(const nlohmann::json& file, const char* key) {
     if (!std::isfinite(value) || std::abs(value) > most_mm)
         throw Error(ExitStatus::bad_data, fmt::format("{} must be within {} mm", key, most_mm));
     return value;
+}
+
+/// The first versions wrote the JSON by itself.
+std::string content_of(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    if (file.peek() != '{') return read_checked_file(path, format);
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
@@ -30,14 +38,13 @@ void save_touch_bias(const std::filesystem::path& path, const TouchBiasFit& fit)
                               {"across_mm", to_mm(fit.bias.across_m)},
                               {"sigma_mm", to_mm(fit.sigma_m)},
                               {"rms_mm", to_mm(fit.rms_m)}};
-    write_file_atomically(path, file.dump(2) + "\n");
+    write_checked_file(path, format, file.dump());
 }
 
 TouchBias load_touch_bias(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    if (!file) throw Error(ExitStatus::no_input, fmt::format("cannot read {}", path.string()));
+    const std::string text = content_of(path);
     try {
-        const nlohmann::json content = nlohmann::json::parse(file);
+        const nlohmann::json content = nlohmann::json::parse(text);
         return {static_cast<float>(0.001 * length_mm(content, "along_mm")),
                 static_cast<float>(0.001 * length_mm(content, "across_mm"))};
     } catch (const nlohmann::json::exception&) {

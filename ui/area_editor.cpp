@@ -65,10 +65,9 @@ void AreaEditor::take(const Corner& corner) {
 
 bool AreaEditor::update(const TableFrame& frame, const OperatorView& view, OperatorWish& wish) {
     areas_ = frame.areas;
-    if (is_waiting_ && view.area_lists == wish.area_lists) {
-        is_waiting_ = false;
-        refusal_ = view.areas;
-    }
+    const bool is_answered = is_waiting_ && view.area_lists == wish.area_lists;
+    if (is_answered || view.areas != told_) refusal_ = told_ = view.areas;
+    if (is_answered) is_waiting_ = false;
     if (chosen() == nullptr) chosen_.clear();
     bool stays = true;
     for (const int id : row_->update(frame.timestamp_us)) stays = press(static_cast<AreaButton>(id)) && stays;

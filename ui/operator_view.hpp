@@ -40,7 +40,7 @@ struct AreaDraft {
     std::vector<Eigen::Vector2f> corners_uv{};  ///< of a new one: shares of the interactive area's axes
 };
 
-/// What the operator asks of the perception loop: how often up to now.
+/// What the operator asks of the perception loop, how often up to now, and what he ought to know.
 struct OperatorWish {
     bool open = false;  ///< an OperatorView is wanted
     int rescans = 0;
@@ -49,6 +49,7 @@ struct OperatorWish {
     int projector_calibrations = 0;
     int area_lists = 0;  ///< the last of which is areas
     std::vector<AreaDraft> areas{};
+    std::string unsaved{};  ///< why the painting is not on the disk; empty when nothing is wrong
 };
 
 }  // namespace touchstone

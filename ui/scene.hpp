@@ -40,6 +40,8 @@ class Scene {
     virtual bool hides_table() const { return false; }
     /// What it needs from the perception loop from now on.
     virtual SceneWish wish() const { return {}; }
+    /// Why what it keeps is not on the disk, for the operator; empty when nothing is wrong.
+    virtual std::string_view unsaved() const { return {}; }
     /// What lies over everything.
     virtual void draw(Canvas& canvas, const ViewMapping& view) = 0;
 };

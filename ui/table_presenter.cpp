@@ -108,7 +108,11 @@ SceneWish TablePresenter::wish() const {
     return wish;
 }
 
-OperatorWish TablePresenter::operator_wish() const { return parts_->panel.wish(); }
+OperatorWish TablePresenter::operator_wish() const {
+    OperatorWish wish = parts_->panel.wish();
+    wish.unsaved = parts_->scene->unsaved();
+    return wish;
+}
 
 const std::string& TablePresenter::scene_name() const { return parts_->scene_name; }
 

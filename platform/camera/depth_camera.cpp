@@ -15,6 +15,7 @@
 #include "platform/camera/openni_error.hpp"
 #include "platform/camera/openni_frame.hpp"
 #include "platform/camera/recording.hpp"
+#include "platform/camera/recording_check.hpp"
 #include "platform/camera/sensor_session.hpp"
 #include "platform/camera/sensor_uri.hpp"
 #include "platform/openni2_drivers/common/driver_properties.h"

@@ -1,11 +1,9 @@
 #include "platform/camera/sensor_uri.hpp"
 
-#include <array>
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/core.h>
-#include <fstream>
 #include <system_error>
 #include <unistd.h>
 
@@ -29,20 +27,6 @@ SensorKind classify_sensor(const std::string& uri) {
     }
     if (uri.ends_with(".oni") || std::filesystem::is_regular_file(uri, code)) return SensorKind::recording;
     return SensorKind::device;
-}
-
-void check_recording(const std::string& path) {
-    std::error_code code;
-    if (!std::filesystem::exists(path, code)) {
-        throw Error(ExitStatus::no_input, fmt::format("no recording {}", path));
-    }
-    std::array<char, 4> start{};
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error(ExitStatus::no_input, fmt::format("cannot open recording {}", path));
-    file.read(start.data(), start.size());
-    if (!file || std::string_view(start.data(), start.size()) != "NI10") {
-        throw Error(ExitStatus::bad_data, fmt::format("{} is not an OpenNI recording", path));
-    }
 }
 
 OpenniUri::OpenniUri(const std::string& uri, SensorKind kind) : text_(uri) {

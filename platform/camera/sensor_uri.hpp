@@ -17,9 +17,6 @@ enum class SensorKind {
 /// "seq:".
 SensorKind classify_sensor(const std::string& uri);
 
-/// Throws Error: no_input where a recording is missing, bad_data where it does not start like an .oni file.
-void check_recording(const std::string& path);
-
 /// OpenNI2 takes URIs of at most 255 characters. Longer paths are handed to it as a file descriptor's path in
 /// /proc, which stays valid as long as this lives.
 class OpenniUri {

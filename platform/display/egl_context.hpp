@@ -8,6 +8,8 @@ namespace touchstone {
 /// there. Throws Error{unavailable} where the EGL driver is missing or too old.
 class EglContext {
   public:
+    using ResetStatus = unsigned int (*)();
+
     EglContext();
     ~EglContext();
     EglContext(const EglContext&) = delete;
@@ -15,10 +17,13 @@ class EglContext {
 
     /// What draws, in the driver's words.
     std::string renderer() const;
+    /// The driver has given it up: a hung or reset GPU. False where the driver cannot tell.
+    bool was_reset() const;
 
   private:
     void* display_ = nullptr;
     void* context_ = nullptr;
+    ResetStatus reset_status_ = nullptr;
 };
 
 }  // namespace touchstone

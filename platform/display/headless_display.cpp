@@ -16,6 +16,7 @@ class HeadlessDisplay : public Display {
     void present() override { glFlush(); }
     Picture read_pixels() override { return screen_.read(); }
     bool should_close() override { return false; }
+    bool is_lost() const override { return context_.was_reset(); }
 
   private:
     EglContext context_;

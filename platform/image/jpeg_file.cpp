@@ -12,6 +12,10 @@
 namespace touchstone {
 namespace {
 
+constexpr int most_scans = 200;
+/// Of pixels that a byte can hold: a block of 64 takes a bit at least.
+constexpr std::uint64_t most_pixels_per_byte = 1024;
+
 // libjpeg is C and reports errors by longjmp: nothing with a destructor may live between setjmp and the calls
 // it covers.
 struct JpegErrors {
@@ -31,10 +35,20 @@ void check_warning(j_common_ptr jpeg, int level) {
     if (level < 0 && jpeg->err->msg_code == JWRN_JPEG_EOF) keep_error(jpeg);
 }
 
+/// A small file may ask to go through a large picture thousands of times.
+void count_scans(j_common_ptr jpeg) {
+    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= most_scans) return;
+    auto* errors = reinterpret_cast<JpegErrors*>(jpeg->err);
+    std::snprintf(errors->text, sizeof errors->text, "it has more than %d scans", most_scans);
+    std::longjmp(errors->jump, 1);
+}
+
 struct JpegReader {
     jpeg_decompress_struct jpeg{};
+    jpeg_progress_mgr progress{};
     JpegErrors errors;
     JpegReader() {
+        progress.progress_monitor = count_scans;
         jpeg.err = jpeg_std_error(&errors.manager);
         errors.manager.error_exit = keep_error;
         errors.manager.emit_message = check_warning;
@@ -47,8 +61,14 @@ struct JpegReader {
 bool start(JpegReader& reader, std::FILE* file) {
     if (setjmp(reader.errors.jump)) return false;
     jpeg_create_decompress(&reader.jpeg);
+    reader.jpeg.progress = &reader.progress;
     jpeg_stdio_src(&reader.jpeg, file);
     jpeg_read_header(&reader.jpeg, TRUE);
+    return true;
+}
+
+bool start_pixels(JpegReader& reader) {
+    if (setjmp(reader.errors.jump)) return false;
     reader.jpeg.out_color_space = JCS_RGB;
     jpeg_start_decompress(&reader.jpeg);
     return true;
@@ -74,6 +94,10 @@ Image8 read_jpeg_rgb(const std::filesystem::path& path) {
     FilePtr file = open_file(path, "rb", ExitStatus::no_input);
     JpegReader reader;
     if (!start(reader, file.get())) fail_read(path, reader.errors.text);
+    if (const char* lie =
+            size_problem(path, reader.jpeg.image_width, reader.jpeg.image_height, most_pixels_per_byte))
+        fail_read(path, lie);
+    if (!start_pixels(reader)) fail_read(path, reader.errors.text);
     Image8 image{
         static_cast<int>(reader.jpeg.output_width), static_cast<int>(reader.jpeg.output_height), 3, {}};
     const std::size_t row_bytes = 3 * static_cast<std::size_t>(image.width_px);

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int zlib_level = 1;
 constexpr png_uint_32 largest_side_px = 16384;
+/// Of pixels that a byte can hold: deflate packs 1032 bytes into one, and eight pixels may be a byte.
+constexpr std::uint64_t most_pixels_per_byte = 8 * 1032;
 
 struct Message {
     char text[160] = "damaged";
@@ -102,6 +104,15 @@ std::vector<png_bytep> row_pointers(png_bytep pixels, int height_px, std::size_t
     throw Error(ExitStatus::bad_data, fmt::format("cannot read {} as PNG: {}", path.string(), reason));
 }
 
+PngHeader open_png(PngReader& reader, std::FILE* file, const std::filesystem::path& path) {
+    PngHeader header;
+    if (!read_header(reader, file, header)) fail_read(path, reader.message.text);
+    if (const char* lie = size_problem(path, static_cast<std::uint64_t>(header.width_px),
+                                       static_cast<std::uint64_t>(header.height_px), most_pixels_per_byte))
+        fail_read(path, lie);
+    return header;
+}
+
 struct Layout {
     int width_px, height_px, color_type, bit_depth;
 };
@@ -160,8 +171,7 @@ std::size_t pixel_count(int width_px, int height_px) {
 Image16 read_png_16(const std::filesystem::path& path) {
     FilePtr file = open_file(path, "rb", ExitStatus::no_input);
     PngReader reader;
-    PngHeader header;
-    if (!read_header(reader, file.get(), header)) fail_read(path, reader.message.text);
+    const PngHeader header = open_png(reader, file.get(), path);
     if (header.bit_depth != 16 || header.color_type != PNG_COLOR_TYPE_GRAY) {
         fail_read(path, fmt::format("a depth picture is 16 bit gray, this one has {} bit and {} channels",
                                     header.bit_depth, png_get_channels(reader.png, reader.info))
@@ -179,8 +189,7 @@ Image16 read_png_16(const std::filesystem::path& path) {
 Image8 read_png_8(const std::filesystem::path& path) {
     FilePtr file = open_file(path, "rb", ExitStatus::no_input);
     PngReader reader;
-    PngHeader header;
-    if (!read_header(reader, file.get(), header)) fail_read(path, reader.message.text);
+    const PngHeader header = open_png(reader, file.get(), path);
     if (header.bit_depth == 16) fail_read(path, "it has 16 bit a channel where 8 are expected");
     Image8 image{header.width_px, header.height_px, 0, {}};
     if (!expand_to_8_bit(reader, image.channels)) fail_read(path, reader.message.text);

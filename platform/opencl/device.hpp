@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace touchstone {
 
@@ -29,6 +30,8 @@ class Device {
     /// What a binary depends on: platform, device and driver versions.
     std::string fingerprint() const;
     void finish() const;
+    /// True once: what is wrong with the cache is so for all programs, and said once.
+    bool is_first_unsaved_program() const { return !std::exchange(has_unsaved_programs_, true); }
 
   private:
     cl::Device device_;
@@ -37,6 +40,7 @@ class Device {
     std::string name_;
     bool is_cpu_ = true;
     std::filesystem::path cache_dir_;
+    mutable bool has_unsaved_programs_ = false;
 };
 
 /// $CACHE_DIRECTORY of a service, else $XDG_CACHE_HOME/touchstone, else ~/.cache/touchstone; empty when none

@@ -1,12 +1,11 @@
 #include "platform/opencl/program.hpp"
 
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <xxhash.h>
 
 #include "platform/opencl/device_error.hpp"
-#include "platform/system/atomic_file.hpp"
+#include "platform/system/checked_file.hpp"
 #include "platform/system/log.hpp"
 
 namespace touchstone {
@@ -14,6 +13,9 @@ namespace touchstone {
 namespace {
 
 constexpr std::string_view build_flags = "-cl-std=CL1.2 -Werror ";
+/// Drivers trust a binary as they trust code: a torn one must not reach them.
+constexpr FileFormat binary_format{
+    "compiled program", {'T', 'S', 'K', 'E', 'R', 'N', 'E', 'L'}, 1, std::uint64_t{1} << 28};
 
 std::string join_sources(std::span<const ProgramSource> sources) {
     std::string text;
@@ -26,7 +28,7 @@ std::string join_sources(std::span<const ProgramSource> sources) {
 std::filesystem::path binary_path(const Device& device, const std::string& text, const std::string& options) {
     const std::string key = device.fingerprint() + "|" + options + "|" + text;
     std::ostringstream name;
-    name << std::hex << XXH3_64bits(key.data(), key.size()) << ".clbin";
+    name << std::hex << XXH3_64bits(key.data(), key.size()) << ".kernels";
     return device.cache_dir() / name.str();
 }
 
@@ -41,10 +43,11 @@ std::string first_error(const std::string& log) {
 
 std::optional<cl::Program> load_binary(const Device& device, const std::filesystem::path& path,
                                        const std::string& options) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return std::nullopt;
-    const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) return std::nullopt;
     try {
+        const std::string content = read_checked_file(path, binary_format);
+        const std::vector<unsigned char> bytes(content.begin(), content.end());
         cl::Program program(device.context(), {device.handle()}, cl::Program::Binaries{bytes});
         program.build({device.handle()}, options.c_str());
         return program;
@@ -52,18 +55,22 @@ std::optional<cl::Program> load_binary(const Device& device, const std::filesyst
         log_warning("kernel cache: {} is not usable ({}), compiling again", path.string(),
                     opencl_error_name(error.err()));
         return std::nullopt;
+    } catch (const Error& error) {
+        log_warning("kernel cache: {}; compiling again", error.what());
+        return std::nullopt;
     }
 }
 
-void save_binary(const cl::Program& program, const std::filesystem::path& path) {
+void save_binary(const Device& device, const cl::Program& program, const std::filesystem::path& path) {
     const std::vector<std::vector<unsigned char>> binaries = program.getInfo<CL_PROGRAM_BINARIES>();
     if (binaries.empty() || binaries.front().empty()) return;
     try {
         std::filesystem::create_directories(path.parent_path());
         const auto& bytes = binaries.front();
-        write_file_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        write_checked_cache(path, binary_format, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     } catch (const std::exception& error) {
-        log_warning("kernel cache: not saved: {}", error.what());
+        if (device.is_first_unsaved_program())
+            log_warning("kernel cache: not saved, the next start compiles again: {}", error.what());
     }
 }
 
@@ -99,7 +106,7 @@ Program::Program(const Device& device, std::span<const ProgramSource> sources, s
     } catch (const cl::Error& error) {
         throw DeviceError("building " + file_, error.err(), device.name());
     }
-    if (cached) save_binary(program_, path);
+    if (cached) save_binary(device, program_, path);
 }
 
 Kernel Program::kernel(const std::string& name) const {

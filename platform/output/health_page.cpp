@@ -78,6 +78,7 @@ std::vector<MetricFamily> families(const HealthFigures& figures) {
         counter("touches_total", "Touches that went down", figures.touches),
         counters("camera_faults_total", "Faults of the camera", "kind", figures.faults),
         counters("camera_restarts_total", "What was done to bring the camera back", "what", figures.restarts),
+        counters("unsaved_total", "What could not be written to the disk", "what", figures.unsaved),
         gauge("state", "1 for the state of the table", 1.0, {{"state", figures.state}}),
         gauge("frame_rate_hertz", "Frames a second", figures.frame_rate_hz),
         gauge("resident_memory_megabytes", "Memory of the process", figures.resident_mb),

@@ -15,13 +15,14 @@ namespace touchstone {
 /// How a running table does. Counts are since its start.
 struct HealthFigures {
     std::string state;
-    std::uint64_t frames = 0;                       ///< processed
-    std::uint64_t missed_frames = 0;                ///< that the camera should have given, by its clock
-    std::optional<std::uint64_t> lost_packets;      ///< on USB, of cameras that tell
-    std::uint64_t touches = 0;                      ///< that went down
-    std::map<std::string, std::uint64_t> faults;    ///< of the camera, by kind
-    std::map<std::string, std::uint64_t> restarts;  ///< of the camera, by what was done
-    std::optional<double> projector_off_mm;         ///< where its light fell when it was last looked at
+    std::uint64_t frames = 0;                        ///< processed
+    std::uint64_t missed_frames = 0;                 ///< that the camera should have given, by its clock
+    std::optional<std::uint64_t> lost_packets;       ///< on USB, of cameras that tell
+    std::uint64_t touches = 0;                       ///< that went down
+    std::map<std::string, std::uint64_t> faults;     ///< of the camera, by kind
+    std::map<std::string, std::uint64_t> restarts;   ///< of the camera, by what was done
+    std::map<std::string, std::uint64_t> unsaved{};  ///< what could not be written to the disk
+    std::optional<double> projector_off_mm;          ///< where its light fell when it was last looked at
     double frame_rate_hz = 0.0;
     double resident_mb = 0.0;
     std::vector<StageSummary> stages;

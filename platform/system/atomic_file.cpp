@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -80,11 +82,41 @@ Descriptor open_beside(const std::filesystem::path& path) {
     return Descriptor(fd);
 }
 
-/// Flushes the file beside `path` to the disk and renames it.
-void put_in_place(Descriptor& file, const std::filesystem::path& path) {
+void write_and_flush(Descriptor& file, std::string_view bytes, const std::filesystem::path& path) {
+    write_all(file.get(), bytes, path);
     if (::fsync(file.get()) != 0) fail(path, "flush", errno);
     if (!file.close()) fail(path, "close", errno);
+}
+
+/// A second name where the file system knows such, else a copy: the first name is never gone.
+void name_also(const std::filesystem::path& path, const std::string& other) {
+    ::unlink(other.c_str());
+    if (::link(path.c_str(), other.c_str()) == 0) return;
+    std::ifstream source(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(source), {}};
+    if (!source) fail(other, "copy", EIO);
+    Descriptor copy(::open(other.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (copy.get() < 0) fail(other, "copy", errno);
+    write_and_flush(copy, bytes, other);
+}
+
+/// Best effort: that the old content cannot be kept is no reason to refuse the new one.
+void keep_previous(const std::filesystem::path& path) {
+    const std::string previous = previous_of(path), next = beside(previous);
+    TemporaryFile temporary(next);
+    try {
+        name_also(path, next);
+        if (::rename(next.c_str(), previous.c_str()) == 0) temporary.keep();
+    } catch (const Error&) {
+        // Such as a disk without room for both.
+    }
+}
+
+/// Of a file beside `path` whose bytes are on the disk.
+void put_in_place(const std::filesystem::path& path, Previous previous = Previous::untouched) {
+    if (previous == Previous::kept) keep_previous(path);
     if (::rename(beside(path).c_str(), path.c_str()) != 0) fail(path, "rename", errno);
+    if (previous == Previous::removed) ::unlink(previous_of(path).c_str());
 }
 
 }  // namespace
@@ -94,11 +126,18 @@ void check_writable(const std::filesystem::path& path) {
     const TemporaryFile temporary(beside(path));
 }
 
-void write_file_atomically(const std::filesystem::path& path, std::string_view bytes) {
+std::filesystem::path previous_of(const std::filesystem::path& path) { return path.string() + ".previous"; }
+
+std::vector<std::filesystem::path> names_of(const std::filesystem::path& path) {
+    const std::filesystem::path previous = previous_of(path);
+    return {path, previous, beside(path), beside(previous)};
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes, Previous previous) {
     Descriptor file = open_beside(path);
     TemporaryFile temporary(beside(path));
-    write_all(file.get(), bytes, path);
-    put_in_place(file, path);
+    write_and_flush(file, bytes, path);
+    put_in_place(path, previous);
     temporary.keep();
     sync_folder(path);
 }
@@ -114,7 +153,8 @@ PendingFile::~PendingFile() {
 void PendingFile::commit() {
     Descriptor file(::open(name_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
     if (file.get() < 0) fail(path_, "open the file beside it", errno);
-    put_in_place(file, path_);
+    write_and_flush(file, {}, path_);
+    put_in_place(path_);
     committed_ = true;
     sync_folder(path_);
 }

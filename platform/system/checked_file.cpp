@@ -5,11 +5,13 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
+#include <memory>
 #include <xxhash.h>
 #include <zstd.h>
 
 #include "platform/system/atomic_file.hpp"
 #include "platform/system/error.hpp"
+#include "platform/system/log.hpp"
 
 namespace touchstone {
 
@@ -26,6 +28,7 @@ struct Header {
 static_assert(sizeof(Header) == checked_file_header_bytes);
 
 constexpr int compression_level = 3;
+constexpr std::size_t growth_bytes = 1 << 20;
 
 std::uint64_t checksum_of(const Header& header, std::string_view packed) {
     XXH3_state_t* state = XXH3_createState();
@@ -86,21 +89,36 @@ std::string read_packed(std::ifstream& file, const Header& header, const std::fi
     return packed;
 }
 
-}  // namespace
+/// Grows with what there is, not with what is claimed.
+std::string decompress(std::string_view packed, std::uint64_t content_bytes) {
+    const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+    std::string content;
+    ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+    std::size_t left = 1;
+    while (left != 0 && content.size() < content_bytes) {
+        const std::size_t before = content.size();
+        content.resize(std::min<std::size_t>(content_bytes, before + std::max(growth_bytes, before / 2)));
+        ZSTD_outBuffer out{content.data() + before, content.size() - before, 0};
+        left = ZSTD_decompressStream(context.get(), &out, &in);
+        content.resize(before + out.pos);
+        if (ZSTD_isError(left) != 0 || (out.pos == 0 && in.pos == in.size)) return {};
+    }
+    return content;
+}
 
-void write_checked_file(const std::filesystem::path& path, const FileFormat& format,
-                        std::string_view content) {
+std::string pack(const std::filesystem::path& path, const FileFormat& format, std::string_view content) {
     const std::string packed = compress(content, path);
     Header header{format.magic, format.version, 0, content.size(), packed.size(), 0};
     header.checksum = checksum_of(header, packed);
     std::string bytes(sizeof header, '\0');
     std::memcpy(bytes.data(), &header, sizeof header);
-    write_file_atomically(path, bytes + packed);
+    return bytes + packed;
 }
 
-std::string read_checked_file(const std::filesystem::path& path, const FileFormat& format) {
+std::string read_this_file(const std::filesystem::path& path, const FileFormat& format) {
     std::ifstream file(path, std::ios::binary);
-    if (!file || !std::filesystem::is_regular_file(path))
+    std::error_code none;
+    if (!file || !std::filesystem::is_regular_file(path, none))
         throw Error(ExitStatus::no_input, fmt::format("{} {} cannot be opened", format.name, path.string()));
     const Header header = read_header(file, path, format);
     const std::string packed = read_packed(file, header, path, format);
@@ -111,10 +129,56 @@ std::string read_checked_file(const std::filesystem::path& path, const FileForma
                fmt::format("claims {} bytes, more than a {} can have", header.content_bytes, format.name));
     if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != header.content_bytes)
         refuse(path, fmt::format("is damaged (size): take a new {}", format.name));
-    std::string content(header.content_bytes, '\0');
-    if (ZSTD_decompress(content.data(), content.size(), packed.data(), packed.size()) != content.size())
+    std::string content = decompress(packed, header.content_bytes);
+    if (content.size() != header.content_bytes)
         refuse(path, fmt::format("is damaged (compression): take a new {}", format.name));
     return content;
+}
+
+/// Whatever its version: an older program may want it again.
+bool is_whole(const std::filesystem::path& path, const FileFormat& format) {
+    std::ifstream file(path, std::ios::binary);
+    Header header{};
+    if (!file.read(reinterpret_cast<char*>(&header), sizeof header) || header.magic != format.magic)
+        return false;
+    try {
+        return checksum_of(header, read_packed(file, header, path, format)) == header.checksum;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+Previous what_becomes_of_previous(const std::filesystem::path& path, const FileFormat& format) {
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) return Previous::removed;
+    return is_whole(path, format) ? Previous::kept : Previous::untouched;
+}
+
+}  // namespace
+
+void write_checked_file(const std::filesystem::path& path, const FileFormat& format,
+                        std::string_view content) {
+    write_file_atomically(path, pack(path, format, content), what_becomes_of_previous(path, format));
+}
+
+void write_checked_cache(const std::filesystem::path& path, const FileFormat& format,
+                         std::string_view content) {
+    write_file_atomically(path, pack(path, format, content));
+}
+
+std::string read_checked_file(const std::filesystem::path& path, const FileFormat& format) {
+    try {
+        return read_this_file(path, format);
+    } catch (const Error& damage) {
+        if (damage.status() != ExitStatus::bad_data) throw;
+        try {
+            std::string before = read_this_file(previous_of(path), format);
+            log_warning("{}; going on with the {} before it", damage.what(), format.name);
+            return before;
+        } catch (const Error&) {
+            throw damage;
+        }
+    }
 }
 
 }  // namespace touchstone

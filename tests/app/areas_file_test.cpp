@@ -66,7 +66,8 @@ TEST_F(AreasFile, WhatIsWrongIsNamedWithItsLine) {
     EXPECT_THAT(refusal("[[areas]]\nname = \"a\"\n" + square), HasSubstr("there is no key areas"));
     EXPECT_THAT(refusal("[[area]]\n" + square), HasSubstr("needs a name"));
     for (const std::string name : {"../up", "two\\nlines", "", "12345678901234567890123456789012345678901"})
-        EXPECT_THAT(refusal("[[area]]\nname = \"" + name + "\"\n" + square), HasSubstr("needs a name")) << name;
+        EXPECT_THAT(refusal("[[area]]\nname = \"" + name + "\"\n" + square), HasSubstr("needs a name"))
+            << name;
     EXPECT_THAT(refusal("[[area]]\nname = \"a\"\n"), HasSubstr("3 to 12 corners"));
     EXPECT_THAT(refusal("[[area]]\nname = 3\n" + square), HasSubstr("areas.toml:2: this is a text"));
     EXPECT_THAT(refusal("[[area]]\nname = \"a\"\n" + square + "[[area]]\nname = \"a\"\n" + square),
@@ -83,6 +84,20 @@ TEST_F(AreasFile, WhatIsWrongIsNamedWithItsLine) {
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), ExitStatus::no_input);
     }
+}
+
+TEST_F(AreasFile, WhereItIsWrongTheOneBeforeItCountsAndIsNotPushedOut) {
+    const auto named = [](const std::string& name) {
+        return std::vector<NamedArea>{{name, "", "", {{0, 0}, {100, 0}, {100, 100}}}};
+    };
+    save_areas(file_, named("first"));
+    save_areas(file_, named("second"));
+    EXPECT_EQ(load_areas(file_).at(0).name, "second");
+    std::ofstream(file_) << "[[area]]\nname = 7\n";
+    EXPECT_EQ(load_areas(file_).at(0).name, "first");
+    save_areas(file_, named("third"));
+    std::ofstream(file_) << "[[area]]\nname = 7\n";
+    EXPECT_EQ(load_areas(file_).at(0).name, "first");
 }
 
 std::string conflict(const std::string& first, const std::string& second, bool on_surface) {

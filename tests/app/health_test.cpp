@@ -73,5 +73,14 @@ TEST(Health, TheLineTellsTheMinuteNotTheWhole) {
               "frame 10.0 ms (99 % 14.2), 201 MB, cpu-thermal 62 C");
 }
 
+TEST(Health, TheLineTellsWhatIsNotOnTheDisk) {
+    Health health({}, start);
+    EXPECT_EQ(health_line({}, health.figures(), 60.0).find("written"), std::string::npos);
+    health.unsaved("scan");
+    health.unsaved("painting");
+    EXPECT_NE(health_line({}, health.figures(), 60.0).find(", 2 times something could not be written"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace touchstone

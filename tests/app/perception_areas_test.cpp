@@ -114,6 +114,19 @@ TEST_F(PerceptionAreas, WhatCannotBeIsRefusedInWordsAndChangesNothing) {
     EXPECT_THAT(frame.areas, SizeIs(1));
 }
 
+TEST_F(PerceptionAreas, AWrongFileIsSaidAndTheTableStarts) {
+    std::ofstream(options_.config.areas_file) << "[[area]]\nname = \"a\"\n";
+    Perception perception(options_);
+    TableWish wish;
+    wish.operating.open = true;
+    perception.take(wish);
+    const TableFrame live = step_until(perception, "live");
+    EXPECT_THAT(live.areas, IsEmpty());
+    ASSERT_TRUE(live.operating);
+    EXPECT_THAT(live.operating->areas, HasSubstr("3 to 12 corners"));
+    EXPECT_THAT(ask(perception, {{"", "", left_half}}).areas, SizeIs(1));
+}
+
 TEST_F(PerceptionAreas, WithoutAFileNoneAreMade) {
     options_.config.areas_file.clear();
     Perception perception(options_);

@@ -61,6 +61,28 @@ TEST(PerceptionOperator, ScansAnewAlsoWhereAScanIsSaved) {
     EXPECT_EQ(perception.step()->state, "live") << "once is once";
 }
 
+/// The disk may be full for hours: once is enough.
+TEST(PerceptionOperator, IsToldOnceWhatIsNotOnTheDisk) {
+    RunOptions options = small_table();
+    options.config.scan_file = "/nowhere/table.scan";
+    Perception perception(options);
+    step_until(perception, "live");
+    TableWish wish = asking(true, 0, 0);
+    wish.operating.unsaved = "no room";
+    perception.take(wish);
+    perception.take(wish);
+    for (int i = 0; i < 5; ++i) perception.step();
+    const auto view = perception.step()->operating;
+    ASSERT_TRUE(view);
+    ASSERT_EQ(view->faults.size(), 2u);
+    EXPECT_NE(view->faults[1].find("disk: the painting is not kept: no room"), std::string::npos);
+    EXPECT_NE(view->faults[0].find("disk: the scan is not kept: cannot write /nowhere/table.scan"),
+              std::string::npos);
+    perception.take(asking(true, 0, 0));
+    perception.take(wish);
+    EXPECT_EQ(perception.step()->operating->faults.size(), 3u) << "it went well in between";
+}
+
 TEST(PerceptionOperator, AsksForTheCrossesAgain) {
     Perception perception(small_table());
     EXPECT_FALSE(step_until(perception, "live").cross);

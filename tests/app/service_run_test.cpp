@@ -104,6 +104,10 @@ TEST_F(ServiceRun, AResetForgetsWhatTheTableWroteAndKeepsTheRest) {
     for (const char* name : {"table.scan", "finger.bias", "beamer", "painting", "painting.of-left", "areas",
                              "paintings", "other"})
         write(name);
+    for (const char* name :
+         {"table.scan.previous", "finger.bias.previous", "beamer.previous", "painting.previous",
+          "painting.new", "table.scan.previous.new", "painting.of-left.previous", "areas.previous"})
+        write(name);
     std::filesystem::create_directories(folder_ / "faults/fault-20260101-000000-frozen");
     write("faults/fault-20260101-000000-frozen/frame");
     write("faults/note");
@@ -119,7 +123,7 @@ TEST_F(ServiceRun, AResetForgetsWhatTheTableWroteAndKeepsTheRest) {
                                          (folder_ / "table.toml").string()};
     const test::ProgramResult result = test::run_program(reset);
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(std::ranges::count(result.out, '\n'), 7) << result.out;
+    EXPECT_EQ(std::ranges::count(result.out, '\n'), 15) << result.out;
     std::vector<std::string> left;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path()))
         if (entry.is_regular_file()) left.push_back(entry.path().filename().string());

@@ -1,6 +1,7 @@
 // The paint scene's tools, on the whole table.
 #include <filesystem>
 #include <fstream>
+#include <gmock/gmock.h>
 #include <unistd.h>
 
 #include "scene_fixture.hpp"
@@ -201,9 +202,11 @@ TEST_F(PaintSceneTest, AFolderThatCannotBeWrittenHarmsNothing) {
     PresenterConfig config;
     config.scenes.painting_file = "/nonexistent/painting";
     open("paint", config);
+    EXPECT_EQ(presenter_->operator_wish().unsaved, "");
     const Picture painted = stroke(a_, b_);
     pass(3.f);
     EXPECT_EQ(differences(present(), painted), 0);
+    EXPECT_THAT(presenter_->operator_wish().unsaved, testing::HasSubstr("/nonexistent/painting"));
 }
 
 }  // namespace

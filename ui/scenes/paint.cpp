@@ -18,6 +18,7 @@ using Eigen::Vector3f;
 
 constexpr float noticed_shift_px = 0.5f;
 constexpr std::uint64_t quiet_us = 1'000'000;  // a save waits for the disk: nobody paints then
+constexpr std::uint64_t between_tries_us = 60'000'000;
 
 /// How far the picture of the surface has moved between two poses of the camera.
 float shift_px(const SurfaceGeometry& surface, const RigidTransform& drawn_T_g_c, PixelSize view) {
@@ -215,18 +216,20 @@ void PaintScene::load(const RigidTransform& T_g_c) {
 
 void PaintScene::save_when_quiet() {
     changed_us_ = std::min(changed_us_, now_us_);
-    if (fingers_.empty() && now_us_ - changed_us_ >= quiet_us) save();
+    next_save_us_ = std::min(next_save_us_, now_us_ + between_tries_us);
+    if (fingers_.empty() && now_us_ - changed_us_ >= quiet_us && now_us_ >= next_save_us_) save();
 }
 
 void PaintScene::save() {
     if (is_saved_ || file_.empty()) return;
-    is_saved_ = true;
     try {
         save_painting(file_, painting_, surface_.T_g_c());
-        could_save_ = true;
+        is_saved_ = true;
+        unsaved_.clear();
     } catch (const Error& error) {
-        if (could_save_) log_warning("the painting is not saved: {}", error.what());
-        could_save_ = false;
+        if (unsaved_ != error.what()) log_warning("the painting is not saved: {}", error.what());
+        unsaved_ = error.what();
+        next_save_us_ = now_us_ + between_tries_us;
     }
 }
 

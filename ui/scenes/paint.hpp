@@ -30,6 +30,7 @@ class PaintScene : public Scene {
     void update(float dt_s) override;
     const GlTexture* surface_layer() const override;
     void draw(Canvas& canvas, const ViewMapping& view) override;
+    std::string_view unsaved() const override { return unsaved_; }
 
     const ButtonRow& tools() const { return tools_; }
 
@@ -62,8 +63,9 @@ class PaintScene : public Scene {
     std::optional<style::Color> color_;  // none: one for each finger
     bool erases_ = false;
     std::size_t width_ = 1;
-    bool is_loaded_ = false, saw_scan_ = false, is_saved_ = true, could_save_ = true;
-    std::uint64_t now_us_ = 0, changed_us_ = 0;
+    bool is_loaded_ = false, saw_scan_ = false, is_saved_ = true;
+    std::string unsaved_;  // why the last save failed
+    std::uint64_t now_us_ = 0, changed_us_ = 0, next_save_us_ = 0;
 };
 
 /// Ids of the buttons of PaintScene::tools(); colours follow `first_color` in the order of the palette.

@@ -136,6 +136,12 @@ SceneWish SplitScene::wish() const {
     return all;
 }
 
+std::string_view SplitScene::unsaved() const {
+    for (const Part& part : parts_)
+        if (!part.scene->unsaved().empty()) return part.scene->unsaved();
+    return {};
+}
+
 void SplitScene::draw(Canvas& canvas, const ViewMapping& view) {
     for (const Part& part : parts_) part.scene->draw(canvas, view);
 }

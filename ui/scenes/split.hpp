@@ -30,6 +30,7 @@ class SplitScene : public Scene {
     const GlTexture* surface_layer() const override { return surface_layer_; }
     const GlTexture* overlay_layer() const override { return overlay_layer_; }
     SceneWish wish() const override;
+    std::string_view unsaved() const override;
     void draw(Canvas& canvas, const ViewMapping& view) override;
 
   private:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "platform/system/error.hpp"
+#include "platform/system/one_line.hpp"
 
 namespace touchstone {
 namespace {
@@ -20,7 +21,7 @@ constexpr std::string_view key_names =
     "projector, ambient, guided, projector_truth, projector_moved_mm, color";
 
 [[noreturn]] void refuse(const std::string& message) {
-    throw Error(ExitStatus::usage, "sensor URI sim: " + message);
+    throw Error(ExitStatus::usage, "sensor URI sim: " + one_line(message));
 }
 
 template <class Value, std::size_t count>

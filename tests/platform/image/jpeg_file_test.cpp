@@ -37,6 +37,17 @@ TEST(JpegFile, ACutFileIsBadData) {
     expect_error([&] { read_jpeg_rgb(folder / "cut.jpg"); }, ExitStatus::bad_data, HasSubstr("cut.jpg"));
 }
 
+/// Before memory is taken for it.
+TEST(JpegFile, AHeaderThatClaimsMoreThanTheFileCanHold) {
+    const TemporaryFolder folder;
+    // The start of a gray picture of 9000x9000, baseline, and nothing else.
+    const std::string start("\xff\xd8\xff\xc0\x00\x0b\x08\x23\x28\x23\x28\x01\x01\x11\x00", 15);
+    const std::string scan("\xff\xda\x00\x08\x01\x01\x00\x00\x3f\x00", 10);
+    std::ofstream(folder / "a.jpg", std::ios::binary) << start << scan << "pixels";
+    expect_error([&] { read_jpeg_rgb(folder / "a.jpg"); }, ExitStatus::bad_data,
+                 HasSubstr("claims more pixels"));
+}
+
 TEST(JpegFile, OtherFilesAreBadDataAndMissingOnesNoInput) {
     const TemporaryFolder folder;
     std::ofstream(folder / "text.jpg") << "this is no picture";

@@ -112,6 +112,21 @@ TEST(PngFile, UnwritableFileIsIoError) {
                  HasSubstr("/dev/full"));
 }
 
+/// Before memory is taken for it.
+TEST(PngFile, AHeaderThatClaimsMoreThanTheFileCanHold) {
+    const TemporaryFolder folder;
+    write_png(folder / "a.png", Image8{64, 64, 1, std::vector<std::uint8_t>(64 * 64)});
+    std::fstream file(folder / "a.png", std::ios::in | std::ios::out | std::ios::binary);
+    // 8000x8000, with the checksum that belongs to it.
+    file.seekp(16);
+    file.write("\x00\x00\x1f\x40\x00\x00\x1f\x40", 8);
+    file.seekp(29);
+    file.write("\x23\x9a\xf2\x28", 4);
+    file.close();
+    expect_error([&] { read_png_8(folder / "a.png"); }, ExitStatus::bad_data,
+                 HasSubstr("claims more pixels"));
+}
+
 TEST(PngFile, PixelsThatDoNotFitAreAProgrammingError) {
     const TemporaryFolder folder;
     Image16 image = ramp_16(4, 4);

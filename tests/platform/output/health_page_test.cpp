@@ -42,6 +42,7 @@ TEST(HealthPage, ShowsTheLatestFigures) {
     figures.state = "live";
     figures.frames = 1799;
     figures.faults["frozen"] = 2;
+    figures.unsaved["scan"] = 3;
     figures.stages = {{"frame", 9.5, 14.25, 300}};
     figures.temperatures = {{"cpu-thermal", 61.5}};
     page.show(figures);
@@ -50,6 +51,7 @@ TEST(HealthPage, ShowsTheLatestFigures) {
     EXPECT_THAT(text, HasSubstr("200 OK"));
     EXPECT_THAT(text, HasSubstr("# TYPE touchstone_frames_total counter\ntouchstone_frames_total 1799"));
     EXPECT_THAT(text, HasSubstr("touchstone_camera_faults_total{kind=\"frozen\"} 2"));
+    EXPECT_THAT(text, HasSubstr("touchstone_unsaved_total{what=\"scan\"} 3"));
     EXPECT_THAT(text, HasSubstr("touchstone_state{state=\"live\"} 1"));
     EXPECT_THAT(text, HasSubstr("touchstone_stage_milliseconds{stage=\"frame\",quantile=\"0.99\"} 14.25"));
     EXPECT_THAT(text, HasSubstr("touchstone_temperature_celsius{zone=\"cpu-thermal\"} 61.5"));

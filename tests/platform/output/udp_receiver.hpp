@@ -35,6 +35,7 @@ class UdpReceiver {
     UdpReceiver& operator=(const UdpReceiver&) = delete;
 
     int port() const { return port_; }
+    int socket() const { return socket_; }
 
     /// The next datagram; empty where none came within two seconds.
     std::string take() const {

@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <netinet/in.h>
 #include <optional>
@@ -41,6 +42,7 @@ class TcpClient {
         std::size_t have = 0;
         while (have < count) {
             const ssize_t got = ::recv(socket_, bytes.data() + have, count - have, 0);
+            if (got < 0 && errno == EINTR) continue;  // libFuzzer has a timer
             if (got <= 0) break;
             have += static_cast<std::size_t>(got);
         }

@@ -57,6 +57,31 @@ TEST_F(AtomicFile, AReaderOfTheOldFileKeepsItsContent) {
     EXPECT_EQ(seen, "old");
 }
 
+TEST_F(AtomicFile, TheOldContentIsKeptLeftAloneOrGivenUp) {
+    const std::filesystem::path path = folder_ / "scan.bin", previous = previous_of(path);
+    write_file_atomically(path, "first", Previous::kept);
+    EXPECT_EQ(files(), 1u) << "there was nothing to keep";
+    write_file_atomically(path, "second", Previous::kept);
+    EXPECT_EQ(content_of(previous), "first");
+    write_file_atomically(path, "third", Previous::kept);
+    EXPECT_EQ(content_of(previous), "second");
+    write_file_atomically(path, "fourth", Previous::untouched);
+    EXPECT_EQ(content_of(previous), "second");
+    EXPECT_EQ(content_of(path), "fourth");
+    write_file_atomically(path, "fifth", Previous::removed);
+    EXPECT_EQ(content_of(path), "fifth");
+    EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFile, WhatAPowerCutLeavesWhereThePreviousOneIsKeptIsUsedUp) {
+    const std::filesystem::path path = folder_ / "scan.bin";
+    write_file_atomically(path, "first", Previous::kept);
+    std::ofstream(previous_of(path).string() + ".new") << "half of";
+    write_file_atomically(path, "second", Previous::kept);
+    EXPECT_EQ(content_of(previous_of(path)), "first");
+    EXPECT_EQ(files(), 2u);
+}
+
 TEST_F(AtomicFile, NamesPathAndReasonWhereItCannotWrite) {
     const std::filesystem::path path = folder_ / "missing" / "scan.bin";
     try {

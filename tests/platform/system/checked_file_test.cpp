@@ -5,6 +5,7 @@
 #include <random>
 #include <xxhash.h>
 
+#include "platform/system/atomic_file.hpp"
 #include "tests/support/expect_error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -126,6 +127,55 @@ TEST_F(CheckedFile, SizesThatAreNotTrueTakeNoMemory) {
     put_sealed(whole.substr(0, 24) + std::string("\x0a\0\0\0\0\0\0\0", 8) + std::string(8, '\0') +
                "not a zstd");
     expect_refused(HasSubstr("damaged (size)"));
+}
+
+TEST_F(CheckedFile, ADamagedOneCostsTheLastContentOnly) {
+    write_checked_file(path_, format, "first");
+    write_checked_file(path_, format, "second");
+    const std::string whole = bytes();
+    std::string flipped = whole;
+    flipped.back() = static_cast<char>(flipped.back() ^ 1);
+    for (const std::string& damaged : {std::string(), whole.substr(0, 30), flipped}) {
+        put(damaged);
+        EXPECT_EQ(read_checked_file(path_, format), "first");
+    }
+    write_checked_file(path_, format, "third");
+    put(flipped);
+    EXPECT_EQ(read_checked_file(path_, format), "first") << "a damaged file took the place of a whole one";
+}
+
+TEST_F(CheckedFile, BothDamagedNameTheNewest) {
+    write_checked_file(path_, format, "first");
+    write_checked_file(path_, format, "second");
+    put(bytes() + '\0');
+    std::ofstream(previous_of(path_)) << "nothing";
+    expect_refused(HasSubstr("longer"));
+}
+
+/// An older program may want it again.
+TEST_F(CheckedFile, OneOfAnotherVersionIsKept) {
+    write_checked_file(path_, FileFormat{format.name, format.magic, 2, format.max_content_bytes},
+                       "of before");
+    write_checked_file(path_, format, "of now");
+    std::filesystem::rename(previous_of(path_), path_);
+    expect_refused(HasSubstr("an older version"));
+}
+
+TEST_F(CheckedFile, OneThatWasTakenAwayDoesNotComeBack) {
+    write_checked_file(path_, format, "first");
+    write_checked_file(path_, format, "second");
+    std::filesystem::remove(path_);
+    expect_error([&] { (void)read_checked_file(path_, format); }, ExitStatus::no_input, testing::_);
+    write_checked_file(path_, format, "third");
+    put("");
+    expect_refused(testing::_);
+}
+
+TEST_F(CheckedFile, ACacheKeepsNoPreviousOne) {
+    write_checked_cache(path_, format, "first");
+    write_checked_cache(path_, format, "second");
+    EXPECT_EQ(read_checked_file(path_, format), "second");
+    EXPECT_FALSE(std::filesystem::exists(previous_of(path_)));
 }
 
 TEST_F(CheckedFile, WhereItCannotBeWritten) {

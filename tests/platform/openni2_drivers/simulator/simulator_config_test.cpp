@@ -147,6 +147,8 @@ TEST(SimulatorConfig, RefusalsNameTheKeyAndTheRange) {
     EXPECT_THAT(refusal("flat?frames="), HasSubstr("frames"));
     EXPECT_THAT(refusal("flat?truth="), HasSubstr("truth"));
     EXPECT_THAT(refusal("flat?seed"), HasSubstr("key=value"));
+    EXPECT_THAT(refusal("flat?a\nb\x1b[2J=1"), HasSubstr("'a?b?[2J'"))
+        << "one line, and no orders to a terminal";
     EXPECT_EQ(refusal("flat?seed=3&rate=120"), "");
 }
 
