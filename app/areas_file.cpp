@@ -31,8 +31,8 @@ class Reader {
         for (const auto& [key, node] : content)
             if (key.str() != "area")
                 refuse(node.source(), fmt::format("there is no key {}; there is [[area]]", key.str()));
+        if (!content.contains("area")) refuse({}, "it needs at least one [[area]], or area = [] for none");
         std::vector<NamedArea> areas;
-        if (!content.contains("area")) return areas;
         const toml::array* list = content["area"].as_array();
         if (list == nullptr) refuse(content["area"].node()->source(), "area is a list of tables: [[area]]");
         std::set<std::string> names;
@@ -117,6 +117,13 @@ bool is_whole(const std::filesystem::path& path) {
     }
 }
 
+Previous what_becomes_of_previous(const std::filesystem::path& path) {
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) return Previous::removed;
+    const bool would_lose_the_last = !is_whole(path) && is_whole(previous_of(path));
+    return would_lose_the_last ? Previous::untouched : Previous::kept;
+}
+
 std::string quoted(const std::string& text) {
     std::ostringstream out;
     out << toml::value<std::string>(text);
@@ -138,7 +145,7 @@ std::vector<NamedArea> load_areas(const std::filesystem::path& path) {
     try {
         return read(path);
     } catch (const Error& error) {
-        if (!is_whole(previous_of(path))) throw;
+        if (error.status() != ExitStatus::configuration || !is_whole(previous_of(path))) throw;
         log_warning("{}; the areas before it count", error.what());
         return read(previous_of(path));
     }
@@ -149,6 +156,7 @@ void save_areas(const std::filesystem::path& path, const std::vector<NamedArea>&
         "# Areas of the table. Millimetres on its main plane from the middle of the camera's view, x to the "
         "right, y "
         "down.\n";
+    if (areas.empty()) text += "area = []\n";
     for (const NamedArea& area : areas) {
         text += "\n[[area]]\nname = " + quoted(area.name) + "\n";
         if (!area.scene.empty()) text += "scene = " + quoted(area.scene) + "\n";
@@ -159,8 +167,7 @@ void save_areas(const std::filesystem::path& path, const std::vector<NamedArea>&
                                 area.corners_mm[i].y());
         text += "]\n";
     }
-    const bool would_lose_the_last = !is_whole(path) && is_whole(previous_of(path));
-    write_file_atomically(path, text, would_lose_the_last ? Previous::untouched : Previous::kept);
+    write_file_atomically(path, text, what_becomes_of_previous(path));
 }
 
 void check_scenes(const std::vector<NamedArea>& areas, const std::string& table_scene, bool on_surface) {

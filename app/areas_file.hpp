@@ -9,7 +9,7 @@
 
 namespace touchstone {
 
-/// Named areas as TOML text that people may write, too; none is a table that is one:
+/// Named areas as TOML text that people may write, too; area = [] is a table that is one:
 ///   [[area]]
 ///   name = "left"
 ///   scene = "paint"              # optional

@@ -58,7 +58,7 @@ class AreaEditor {
     std::map<int, Corner> fingers_;                  ///< where they are, of those not on the row
     std::optional<std::vector<AreaDraft>> changed_;  ///< to be sent
     std::string told_, refusal_;  ///< what the perception loop said last, and as far as it is still shown
-    bool is_waiting_ = false;  ///< for what becomes of the last change
+    bool is_waiting_ = false;     ///< for what becomes of the last change
     float mm_per_px_ = 1.f;
     RowEdge edge_ = RowEdge::bottom;
     std::unique_ptr<ButtonRow> row_ = std::make_unique<ButtonRow>(edge_);

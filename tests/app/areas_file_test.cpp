@@ -54,7 +54,7 @@ TEST_F(AreasFile, WhatIsSavedIsLoaded) {
 }
 
 TEST_F(AreasFile, NoneIsATableThatIsOne) {
-    EXPECT_THAT(read(""), IsEmpty());
+    EXPECT_THAT(read("area = []"), IsEmpty());
     save_areas(file_, {});
     EXPECT_THAT(load_areas(file_), IsEmpty());
 }
@@ -62,6 +62,7 @@ TEST_F(AreasFile, NoneIsATableThatIsOne) {
 TEST_F(AreasFile, WhatIsWrongIsNamedWithItsLine) {
     EXPECT_THAT(refusal("[[area]]\nname = \"a\"\nscenes = \"paint\"\n" + square),
                 HasSubstr("areas.toml:3: there is no key area.scenes"));
+    EXPECT_THAT(refusal("# what is left of a file"), HasSubstr("[[area]], or area = [] for none"));
     EXPECT_THAT(refusal("[area]\nname = \"a\"\n" + square), HasSubstr("list of tables: [[area]]"));
     EXPECT_THAT(refusal("[[areas]]\nname = \"a\"\n" + square), HasSubstr("there is no key areas"));
     EXPECT_THAT(refusal("[[area]]\n" + square), HasSubstr("needs a name"));

@@ -200,8 +200,8 @@ TEST_F(ProjectorDeskRun, AFileOfAnotherResolutionIsSaid) {
     EXPECT_THAT(run.step().note, HasSubstr("1280x800, and shows 640x400"));
 }
 
-/// A camera that was knocked finds itself in the scan again; where it hangs alone the light stays where it was, and
-/// that is looked at.
+/// A camera that was knocked finds itself in the scan again; where it hangs alone the light stays where it
+/// was, and that is looked at.
 TEST_F(ProjectorDeskRun, AfterAKnockTheLightIsLookedAtOnceMore) {
     write_truth(file_, 12);
     RunOptions options =

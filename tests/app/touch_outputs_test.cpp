@@ -35,9 +35,8 @@ std::string take_with(const UdpReceiver& receiver, const std::vector<std::string
     for (int i = 0; i < 8; ++i) {
         const std::string datagram = receiver.take();
         if (datagram.empty()) break;
-        if (std::ranges::all_of(parts, [&](const std::string& part) {
-                return datagram.find(part) != std::string::npos;
-            }))
+        if (std::ranges::all_of(
+                parts, [&](const std::string& part) { return datagram.find(part) != std::string::npos; }))
             return datagram;
     }
     return {};

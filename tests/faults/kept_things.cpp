@@ -80,7 +80,7 @@ std::vector<KeptThing> kept_things() {
              [](const std::filesystem::path& path) { return load_projector(path).points; }},
             {"touch.bias", save_numbered_bias, number_of_bias},
             {"table.painting", save_numbered_painting, number_of_painting},
-            {"table.areas", save_numbered_areas, number_of_areas}};
+            {"table.areas", save_numbered_areas, number_of_areas, false}};
 }
 
 int times(int quick, int full) {

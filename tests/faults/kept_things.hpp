@@ -14,6 +14,7 @@ struct KeptThing {
     std::function<void(const std::filesystem::path&, int number)> save;
     /// Throws Error where there is nothing whole.
     std::function<int(const std::filesystem::path&)> load;
+    bool is_checked = true;  ///< else it is text for people, in which another digit is no damage
 };
 
 inline void PrintTo(const KeptThing& thing, std::ostream* out) { *out << thing.name; }

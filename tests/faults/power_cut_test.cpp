@@ -105,6 +105,7 @@ TEST_P(PowerCut, ADamagedFileCostsTheLastSaveOnly) {
     const std::string newest = whole.at(thing.name);
     std::string flipped = newest;
     flipped[newest.size() / 2] = static_cast<char>(flipped[newest.size() / 2] ^ 1);
+    if (!thing.is_checked) flipped = "\x01" + newest;
     for (const std::string& damaged : {std::string(), flipped, newest.substr(0, newest.size() / 2),
                                        std::string(newest.size(), '\0'), std::string("{ nonsense")}) {
         DiskContent content = whole;
