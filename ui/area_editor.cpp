@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/hint_card.hpp"
 #include "ui/scene_list.hpp"
 
 namespace touchstone {
@@ -12,7 +13,7 @@ using Eigen::Vector2f;
 
 constexpr std::size_t fewest_corners = 3, most_corners = 12;
 constexpr float closing_mm = 30.f;  // so near to the first corner a touch closes the area
-constexpr float corner_disc_px = 8.f, words_share = 0.8f;
+constexpr float corner_disc_px = 8.f;
 
 Button make_button(AreaButton what, Icon icon, std::string label) {
     Button button;
@@ -214,15 +215,8 @@ void AreaEditor::draw_new_one(Canvas& canvas, const ViewMapping& view) const {
 
 /// At the edge where the row is not.
 void AreaEditor::draw_hint(Canvas& canvas, const ViewMapping& view) const {
-    const std::string words = hint();
-    const float wrap_px = words_share * view.rect.size_px().x(), margin = style::margin_px * canvas.scale();
-    const Vector2f size = canvas.text_size_px(TextStyle::body, words, wrap_px);
-    const float top =
-        edge_ == RowEdge::bottom ? view.rect.min_px.y() + margin : view.rect.max_px.y() - margin - size.y();
-    const Vector2f at(view.rect.center_px().x() - 0.5f * size.x(), top);
-    const Vector2f room(0.5f * margin, 0.3f * margin);
-    canvas.box(at - room, at + size + room, style::corner_px * canvas.scale(), style::card);
-    canvas.text(TextStyle::body, at, refusal_.empty() ? style::text : style::warning, words, wrap_px);
+    draw_hint_card(canvas, view, edge_ == RowEdge::bottom ? ViewEdge::top : ViewEdge::bottom,
+                   refusal_.empty() ? style::text : style::warning, hint());
 }
 
 void AreaEditor::draw(Canvas& canvas, const ViewMapping& view, const SurfaceGeometry& surface) {

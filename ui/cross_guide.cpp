@@ -2,12 +2,13 @@
 
 #include <string>
 
+#include "ui/hint_card.hpp"
+
 namespace touchstone {
 
 namespace {
 
 constexpr float arm_px = 22.f;
-constexpr float words_share = 0.8f;  // of the view's width
 
 }  // namespace
 
@@ -26,13 +27,7 @@ void draw_cross_guide(Canvas& canvas, const ViewMapping& view, const CrossGuide&
     draw_cross(canvas, view.to_display(guide.pixel_px));
     const std::string words =
         guide.words + "  " + std::to_string(guide.touched + 1) + " of " + std::to_string(guide.wanted);
-    const float wrap_px = words_share * view.rect.size_px().x(), margin = style::margin_px * canvas.scale();
-    const Eigen::Vector2f size = canvas.text_size_px(TextStyle::body, words, wrap_px);
-    const Eigen::Vector2f at(view.rect.center_px().x() - 0.5f * size.x(),
-                             view.rect.max_px.y() - margin - size.y());
-    const Eigen::Vector2f room(0.5f * margin, 0.3f * margin);
-    canvas.box(at - room, at + size + room, style::corner_px * canvas.scale(), style::card);
-    canvas.text(TextStyle::body, at, style::text, words, wrap_px);
+    draw_hint_card(canvas, view, ViewEdge::bottom, style::text, words);
 }
 
 }  // namespace touchstone
