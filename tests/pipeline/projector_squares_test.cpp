@@ -139,6 +139,23 @@ TEST(ProjectorSquares, LightBesideTheSurfaceIsSaid) {
     EXPECT_EQ(judge_squares(model, 2, seen, table_area(), limit_mm).verdict, CheckVerdict::too_few);
 }
 
+/// Light 5 mm off is 5.8 pixels off, and right by a limit of 5.5 mm; one square that lies elsewhere changes
+/// nothing.
+TEST(ProjectorSquares, TheVerdictIsOfMillimetresAndOfMostSquares) {
+    const ProjectorModel model = projector_over_it();
+    SeenSquares seen;
+    for (int i = 0; i < 9; ++i) {
+        const Vector3f at_g_m(-0.2f + 0.05f * static_cast<float>(i), 0.1f, 1.0f);
+        const float off_m = i == 0 ? 0.05f : 0.001f * static_cast<float>(i);
+        seen.matches.push_back({at_g_m, project(model, at_g_m + Vector3f(off_m, 0.0f, 0.0f)).value()});
+    }
+    const ProjectorCheck found = judge_squares(model, 9, seen, table_area(), 5.5f);
+    EXPECT_EQ(found.verdict, CheckVerdict::right);
+    EXPECT_NEAR(found.off_mm, 5.0f, 0.1f);
+    EXPECT_NEAR(found.off_px, 5.83f, 0.1f);
+    EXPECT_EQ(judge_squares(model, 9, seen, table_area(), 4.0f).verdict, CheckVerdict::off);
+}
+
 /// A lamp that went on, a square that a box covers in part.
 TEST(ProjectorSquares, OtherLightsAreNoSquares) {
     const ProjectorModel model = projector_over_it();
