@@ -10,6 +10,7 @@ foreach(driver TouchstoneKinect TouchstoneSequence TouchstoneSimulator)
     install(TARGETS ${driver} LIBRARY DESTINATION lib/${multiarch}/OpenNI2/Drivers)
 endforeach()
 install(FILES systemd/touchstone.service systemd/touchstone-fallback.service systemd/touchstone-factory-reset.service
+    systemd/touchstone-retry.timer
     DESTINATION lib/systemd/system)
 install(FILES platform/usb/70-touchstone-depth-cameras.rules platform/usb/70-touchstone-uinput.rules
     DESTINATION lib/udev/rules.d)

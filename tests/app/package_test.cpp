@@ -91,6 +91,7 @@ TEST(Package, HasWhatItNeedsAndRuns) {
     ASSERT_EQ(test::run_program({"/usr/bin/dpkg-deb", "-x", package, root.string()}).status, 0);
     for (const char* file :
          {"usr/lib/systemd/system/touchstone.service", "usr/lib/systemd/system/touchstone-fallback.service",
+          "usr/lib/systemd/system/touchstone-retry.timer",
           "usr/lib/udev/rules.d/70-touchstone-depth-cameras.rules", "etc/touchstone/touchstone.toml",
           "usr/share/man/man1/touchstone.1.gz", "usr/share/bash-completion/completions/touchstone",
           "usr/share/doc/touchstone/copyright", "usr/share/doc/touchstone/changelog.gz",
