@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "app/area_scenes.hpp"
 #include "app/areas_file.hpp"
 #include "app/displays.hpp"
 #include "platform/system/error.hpp"

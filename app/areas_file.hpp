@@ -26,7 +26,4 @@ std::vector<NamedArea> load_areas(const std::filesystem::path& path);
 /// Throws Error{io_error}.
 void save_areas(const std::filesystem::path& path, const std::vector<NamedArea>& areas);
 
-/// Throws Error{configuration} where a scene is not there for the place, or scenes cannot be there together.
-void check_scenes(const std::vector<NamedArea>& areas, const std::string& table_scene, bool on_surface);
-
 }  // namespace touchstone

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/area_scenes.hpp"
 #include "platform/system/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
