@@ -10,6 +10,7 @@
 #include "platform/system/atomic_file.hpp"
 #include "platform/system/error.hpp"
 #include "platform/system/log.hpp"
+#include "platform/system/one_line.hpp"
 
 namespace touchstone {
 
@@ -46,7 +47,8 @@ class Reader {
 
   private:
     [[noreturn]] void refuse(const toml::source_region& where, const std::string& what) const {
-        throw Error(ExitStatus::configuration, fmt::format("{}:{}: {}", file_, where.begin.line, what));
+        throw Error(ExitStatus::configuration,
+                    fmt::format("{}:{}: {}", file_, where.begin.line, one_line(what)));
     }
 
     NamedArea area_of(const toml::table& table) const {
@@ -135,8 +137,8 @@ std::vector<NamedArea> parse_areas(std::string_view text, const std::string& nam
     try {
         return Reader(name).read(toml::parse(text));
     } catch (const toml::parse_error& error) {
-        throw Error(ExitStatus::configuration,
-                    fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
+        throw Error(ExitStatus::configuration, fmt::format("{}:{}: {}", name, error.source().begin.line,
+                                                           one_line(std::string(error.description()))));
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/config.hpp"
 #include "platform/system/error.hpp"
+#include "platform/system/one_line.hpp"
 
 namespace touchstone {
 
@@ -104,7 +105,7 @@ void parse_config(const std::string& text, const std::string& file, Config& conf
     try {
         root = toml::parse(text, file);
     } catch (const toml::parse_error& error) {
-        refuse(file, error.source(), std::string(error.description()));
+        refuse(file, error.source(), one_line(std::string(error.description())));
     }
     const std::vector<ConfigKey> keys = config_keys(config);
     for (const auto& [name, node] : root) {

@@ -9,6 +9,7 @@
 #include <toml++/toml.h>
 
 #include "platform/system/error.hpp"
+#include "platform/system/one_line.hpp"
 #include "sensor_model_files.hpp"
 
 namespace touchstone {
@@ -142,8 +143,8 @@ std::vector<SensorModel> parse_sensor_models(const std::string& text, const std:
                 models.push_back(ModelReader(*table, file).read());
         }
     } catch (const toml::parse_error& error) {
-        throw Error(ExitStatus::configuration,
-                    fmt::format("{}:{}: {}", file, error.source().begin.line, error.description()));
+        throw Error(ExitStatus::configuration, fmt::format("{}:{}: {}", file, error.source().begin.line,
+                                                           one_line(std::string(error.description()))));
     }
     return models;
 }

@@ -79,6 +79,7 @@ TEST_F(AreasFile, WhatIsWrongIsNamedWithItsLine) {
                     HasSubstr("areas.toml:3: "))
             << corners;
     EXPECT_THAT(refusal("[[area]\n"), HasSubstr("areas.toml:1: "));
+    EXPECT_EQ(refusal("[[area]]\nname = tru\n").find('\n'), std::string::npos) << "one line";
     std::filesystem::remove(file_);
     try {
         (void)load_areas(file_);
