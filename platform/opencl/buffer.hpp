@@ -56,12 +56,14 @@ class Buffer {
   public:
     Buffer() = default;
     Buffer(const Device& device, std::size_t count) : device_(&device), count_(count) {
+        const std::size_t bytes = count * sizeof(T);
+        const cl_mem_flags place = device.shares_memory() ? CL_MEM_ALLOC_HOST_PTR : 0;
         try {
-            buffer_ =
-                cl::Buffer(device.context(), CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, count * sizeof(T));
+            // Drivers that give memory only when it is used (NVIDIA's) refuse nothing here.
+            if (bytes > device.memory_bytes()) throw cl::Error(CL_INVALID_BUFFER_SIZE, "clCreateBuffer");
+            buffer_ = cl::Buffer(device.context(), CL_MEM_READ_WRITE | place, bytes);
         } catch (const cl::Error& error) {
-            throw DeviceError("allocating " + std::to_string(count * sizeof(T)) + " bytes", error.err(),
-                              device.name());
+            throw DeviceError("allocating " + std::to_string(bytes) + " bytes", error.err(), device.name());
         }
     }
     Buffer(const Device& device, std::span<const T> values) : Buffer(device, values.size()) { write(values); }

@@ -96,6 +96,8 @@ Device::Device(const DeviceConfig& config) : cache_dir_(config.cache_dir) {
     name_ = device_.getInfo<CL_DEVICE_NAME>();
     is_cpu_ = has_type(device_, CL_DEVICE_TYPE_CPU);
     try {
+        shares_memory_ = device_.getInfo<CL_DEVICE_HOST_UNIFIED_MEMORY>() == CL_TRUE;
+        memory_bytes_ = device_.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
         context_ = cl::Context(device_);
         queue_ = cl::CommandQueue(context_, device_);
     } catch (const cl::Error& error) {

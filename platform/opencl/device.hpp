@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CL/opencl.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ class Device {
 
     const std::string& name() const { return name_; }
     bool is_cpu() const { return is_cpu_; }
+    /// False for a card with memory of its own: what the host reads of it is copied.
+    bool shares_memory() const { return shares_memory_; }
+    std::uint64_t memory_bytes() const { return memory_bytes_; }
     const std::filesystem::path& cache_dir() const { return cache_dir_; }
     const cl::Device& handle() const { return device_; }
     const cl::Context& context() const { return context_; }
@@ -39,6 +43,8 @@ class Device {
     cl::CommandQueue queue_;
     std::string name_;
     bool is_cpu_ = true;
+    bool shares_memory_ = true;
+    std::uint64_t memory_bytes_ = 0;
     std::filesystem::path cache_dir_;
     mutable bool has_unsaved_programs_ = false;
 };

@@ -1,6 +1,9 @@
 #include "platform/opencl/program.hpp"
 
+#include <algorithm>
+#include <fmt/core.h>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <xxhash.h>
 
@@ -32,7 +35,6 @@ std::filesystem::path binary_path(const Device& device, const std::string& text,
     return device.cache_dir() / name.str();
 }
 
-/// The first line that names an error, else the whole log.
 std::string first_error(const std::string& log) {
     std::istringstream lines(log);
     for (std::string line; std::getline(lines, line);) {
@@ -76,6 +78,24 @@ void save_binary(const Device& device, const cl::Program& program, const std::fi
 
 }  // namespace
 
+std::string first_build_error(const std::string& log, std::span<const ProgramSource> sources) {
+    const std::string error = first_error(log);
+    const auto names_it = [&](const ProgramSource& source) {
+        return error.find(source.path) != std::string::npos;
+    };
+    std::smatch place;
+    if (std::ranges::any_of(sources, names_it) ||
+        !std::regex_search(error, place, std::regex(R"(:(\d{1,7}):)")))
+        return error;
+    long line = std::stol(place[1]);
+    for (const ProgramSource& source : sources) {
+        const long joined = 2 + std::ranges::count(source.text, '\n');  // with its #line
+        if (line <= joined) return fmt::format("{}:{}:{}", source.path, line - 1, place.suffix().str());
+        line -= joined;
+    }
+    return error;
+}
+
 void Kernel::enqueue(const LaunchSize& size) {
     const cl::NDRange global(size.global[0], size.global[1], size.global[2]);
     const cl::NDRange local(size.local[0], size.local[1], size.local[2]);
@@ -102,7 +122,7 @@ Program::Program(const Device& device, std::span<const ProgramSource> sources, s
     } catch (const cl::BuildError& error) {
         const std::string log = error.getBuildLog().empty() ? "" : error.getBuildLog().front().second;
         throw Error(ExitStatus::unavailable,
-                    "kernel does not build on " + device.name() + ": " + first_error(log));
+                    "kernel does not build on " + device.name() + ": " + first_build_error(log, sources));
     } catch (const cl::Error& error) {
         throw DeviceError("building " + file_, error.err(), device.name());
     }

@@ -17,6 +17,10 @@ struct ProgramSource {
     std::string_view text;
 };
 
+/// The first line of a driver's build log that names an error, else the whole log. Where it names none of the
+/// sources, as from drivers that pass over #line (NVIDIA's), its line is taken for one of the joined text.
+std::string first_build_error(const std::string& log, std::span<const ProgramSource> sources);
+
 /// Global and local sizes of a launch, in whole work-groups, and the first global id. The local size is never
 /// left to the device: PoCL would compile the kernel anew for each size it chooses.
 struct LaunchSize {

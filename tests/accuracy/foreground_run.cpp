@@ -75,7 +75,8 @@ class Run {
         raw_m_ = without_padding(pipeline_.live().depth_m, shape_);
         filtered_m_ = without_padding(pipeline_.live().filtered_m, shape_);
         shown_m_ = without_padding(model.surface().depth_m, shape_);
-        for (const std::uint8_t source : model.source().map_read().values()) {
+        const Mapped sources = model.source().map_read();
+        for (const std::uint8_t source : sources.values()) {
             foreground_ += source != FOREGROUND_NONE ? 1.0 : 0.0;
             modelled_ += source == FOREGROUND_MODEL ? 1.0 : 0.0;
         }

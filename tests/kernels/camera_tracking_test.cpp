@@ -139,14 +139,13 @@ std::vector<std::uint8_t> texture_of(const Intrinsics& k, const OrientedPicture&
 }
 
 TEST_P(CameraTrackingSums, OfBrightnessAgreeWithTheReference) {
-    const Device device(DeviceConfig{});
     const CameraTrackingConfig config;
     const RigidTransform T_p_c = moved({20.0f, 15.0f, -25.0f}, 2.0f);
     OrientedPicture live = test::view_of(k_, test::corner(), T_g_p_ * T_p_c);
     const auto live_rgb = texture_of(k_, live, T_g_p_ * T_p_c), model_rgb = texture_of(k_, model_, T_g_p_);
     test::make_holes(live, [](int x, int y) { return (3 * x + 5 * y) % 17 == 0; });
     Sums sums(k_, live, model_, config);
-    IntensityMaps live_maps(device, k_), model_maps(device, k_);
+    IntensityMaps live_maps(sums.device, k_), model_maps(sums.device, k_);
     sums.tracking.convert(live_rgb, live_maps);
     sums.tracking.convert(model_rgb, model_maps);
     reference::Picture live_level{k_.width_px, k_.height_px, reference::brightness(live_rgb)};

@@ -30,9 +30,9 @@ class AlignmentOfTwo {
     AlignmentOfTwo(const Intrinsics& k, const reference::OrientedPicture& live,
                    const reference::OrientedPicture& model, const CameraTrackingConfig& config = {})
         : middle(reference::middle_of(live, k, 2, config.half_sample_gap_per_m)),
-          tracking(device_, config, k),
-          live_(device_, make_map_shape(k)),
-          prediction(device_, live_.shape) {
+          tracking(device, config, k),
+          live_(device, make_map_shape(k)),
+          prediction(device, live_.shape) {
         write_live(live, live_);
         write_model(model, prediction);
         tracking.prepare(live_);
@@ -43,10 +43,7 @@ class AlignmentOfTwo {
 
     const Eigen::Vector3f middle;  ///< about which twists turn
 
-  private:
-    const Device device_{DeviceConfig{}};
-
-  public:
+    const Device device{DeviceConfig{}};
     CameraTracking tracking;
 
   private:

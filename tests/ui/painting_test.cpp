@@ -108,7 +108,8 @@ TEST(Painting, DamagedBytesAreRefusedOrHarmless) {
             std::string damaged = bytes;
             damaged[at] = value;
             try {
-                for (const Stroke* stroke : Painting::from_bytes(damaged).visible())
+                const Painting read = Painting::from_bytes(damaged);
+                for (const Stroke* stroke : read.visible())
                     for (const Vector3f& point : stroke->points_g_m) EXPECT_TRUE(point.allFinite());
             } catch (const Error& error) {
                 EXPECT_EQ(error.status(), ExitStatus::bad_data);

@@ -1,6 +1,7 @@
 #include "platform/openni2_drivers/kinect/kinect_device.hpp"
 
 #include <chrono>
+#include <cstring>
 #include <fmt/core.h>
 
 #include "platform/openni2_drivers/common/property_value.hpp"
@@ -70,8 +71,7 @@ void KinectDevice::open(freenect_context* context) {
     }
     freenect_set_user(device_, this);
     freenect_set_depth_callback(device_, [](freenect_device* device, void* raw, std::uint32_t ticks) {
-        static_cast<KinectDevice*>(freenect_get_user(device))
-            ->take_depth(static_cast<const std::uint16_t*>(raw), ticks);
+        static_cast<KinectDevice*>(freenect_get_user(device))->take_depth(raw, ticks);
     });
     freenect_set_video_callback(device_, [](freenect_device* device, void* rgb, std::uint32_t ticks) {
         static_cast<KinectDevice*>(freenect_get_user(device))
@@ -175,9 +175,11 @@ std::uint64_t KinectDevice::time_us(std::uint32_t ticks) {
     return clock_.time_us(ticks, static_cast<std::uint64_t>(now_us));
 }
 
-void KinectDevice::take_depth(const std::uint16_t* raw, std::uint32_t ticks) {
+void KinectDevice::take_depth(const void* raw, std::uint32_t ticks) {
     if (!depth_ || !depth_->running()) return;
-    for (std::size_t i = 0; i < pixels; ++i) depth_mm_[i] = table_[raw[i] % raw_depth_values];
+    // A copy: a replayed picture stands at an odd address behind its header.
+    std::memcpy(depth_mm_.data(), raw, sizeof(std::uint16_t) * pixels);
+    for (std::uint16_t& value : depth_mm_) value = table_[value % raw_depth_values];
     if (registered_) register_depth(depth_mm_, tables_, registered_mm_);
     const auto& picture = registered_ ? registered_mm_ : depth_mm_;
     depth_->deliver(picture.data(), 2 * pixels, ++depth_frames_, time_us(ticks));

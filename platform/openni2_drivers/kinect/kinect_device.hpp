@@ -42,7 +42,7 @@ class KinectDevice : public oni::driver::DeviceBase {
     bool apply_running();
     bool start_depth();
     bool start_color();
-    void take_depth(const std::uint16_t* raw, std::uint32_t ticks);
+    void take_depth(const void* raw, std::uint32_t ticks);
     void take_color(const std::uint8_t* rgb, std::uint32_t ticks);
     std::uint64_t time_us(std::uint32_t ticks);
     OniStatus get(int id, void* data, int* size);

@@ -70,6 +70,18 @@ TEST(Program, BuildErrorNamesFileAndLine) {
         testing::AllOf(testing::HasSubstr("kernels/broken.cl:2"), testing::HasSubstr("no_such_thing")));
 }
 
+TEST(Program, BuildErrorIsLocatedWhereTheDriverCountsJoinedLines) {
+    const std::array sources{ProgramSource{"kernels/good.h", "\n\n"},
+                             ProgramSource{"kernels/broken.cl", "\n__kernel void f() { g(); }\n"}};
+    const auto located = [&](const std::string& log) { return first_build_error(log, sources); };
+    // What NVIDIA's driver 580 says of these two, lines as in the joined text.
+    EXPECT_EQ(located("\n<kernel>:7:21: error: no g\n1 error\n"), "kernels/broken.cl:2:21: error: no g");
+    EXPECT_EQ(located("<kernel>:2:1: error: x"), "kernels/good.h:1:1: error: x");
+    EXPECT_EQ(located("<kernel>:99:1: error: beyond"), "<kernel>:99:1: error: beyond");
+    EXPECT_EQ(located("kernels/broken.cl:2:21: error: no g"), "kernels/broken.cl:2:21: error: no g");
+    EXPECT_EQ(located("out of memory"), "out of memory");
+}
+
 TEST(Program, UnknownKernelAndWrongArgumentsAreNamed) {
     const Device device(DeviceConfig{});
     const std::array sources{ProgramSource{"kernels/scale.cl", twice}};
