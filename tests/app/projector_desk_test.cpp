@@ -125,6 +125,16 @@ TEST_F(ProjectorDeskRun, TheOperatorCalibratesInTheRunningProgram) {
     EXPECT_THAT(run.run_until_panel_says("falls right").note, IsEmpty());
 }
 
+TEST_F(ProjectorDeskRun, WhatCannotBeWrittenIsUsedAndSaid) {
+    RunningTable run(table("sim:flat?projector=1&hands=0&seed=12&empty=20", "/proc/nowhere/projector"));
+    run.run_until_live();
+    run.calibrations = 1;
+    const TableFrame after = run.run_until_panel_says("It is not kept");
+    EXPECT_TRUE(after.projector) << "used until the table ends";
+    EXPECT_THAT(after.operating->faults,
+                testing::Contains(HasSubstr("disk: the projector's calibration is not kept")));
+}
+
 TEST_F(ProjectorDeskRun, WithoutColoursItAsksForTouches) {
     write_truth(file_, 12);
     RunningTable run(table("sim:flat?projector=1&hands=1&seed=12&guided=1&color=0", file_));
