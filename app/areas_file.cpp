@@ -5,12 +5,11 @@
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "platform/system/atomic_file.hpp"
 #include "platform/system/error.hpp"
 #include "platform/system/log.hpp"
-#include "platform/system/one_line.hpp"
+#include "platform/system/toml_text.hpp"
 
 namespace touchstone {
 
@@ -47,8 +46,7 @@ class Reader {
 
   private:
     [[noreturn]] void refuse(const toml::source_region& where, const std::string& what) const {
-        throw Error(ExitStatus::configuration,
-                    fmt::format("{}:{}: {}", file_, where.begin.line, one_line(what)));
+        refuse_toml(file_, where, what);
     }
 
     NamedArea area_of(const toml::table& table) const {
@@ -134,12 +132,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::vector<NamedArea> parse_areas(std::string_view text, const std::string& name) {
-    try {
-        return Reader(name).read(toml::parse(text));
-    } catch (const toml::parse_error& error) {
-        throw Error(ExitStatus::configuration, fmt::format("{}:{}: {}", name, error.source().begin.line,
-                                                           one_line(std::string(error.description()))));
-    }
+    return Reader(name).read(parse_toml(text, name));
 }
 
 std::vector<NamedArea> load_areas(const std::filesystem::path& path) {

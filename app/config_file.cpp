@@ -3,19 +3,14 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "app/config.hpp"
 #include "platform/system/error.hpp"
-#include "platform/system/one_line.hpp"
+#include "platform/system/toml_text.hpp"
 
 namespace touchstone {
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& file, const toml::source_region& where, const std::string& what) {
-    throw Error(ExitStatus::configuration, file + ":" + std::to_string(where.begin.line) + ": " + what);
-}
 
 std::string plain_number(double value) { return fmt::format("{:.10g}", value); }
 
@@ -66,10 +61,11 @@ void take_section(const std::string& section, const toml::table& table, const st
             if (key.name == name.str()) match = &key;
         }
         if (match == nullptr) {
-            refuse(file, node.source(),
-                   fmt::format("unknown key {}.{}; [{}] knows: {}", section, name.str(), section, known));
+            refuse_toml(
+                file, node.source(),
+                fmt::format("unknown key {}.{}; [{}] knows: {}", section, name.str(), section, known));
         }
-        if (!take(node, *match)) refuse(file, node.source(), allowed(*match));
+        if (!take(node, *match)) refuse_toml(file, node.source(), allowed(*match));
     }
 }
 
@@ -101,19 +97,15 @@ std::string value_text(const ConfigKey& key) {
 }  // namespace
 
 void parse_config(const std::string& text, const std::string& file, Config& config) {
-    toml::table root;
-    try {
-        root = toml::parse(text, file);
-    } catch (const toml::parse_error& error) {
-        refuse(file, error.source(), one_line(std::string(error.description())));
-    }
+    const toml::table root = parse_toml(text, file);
     const std::vector<ConfigKey> keys = config_keys(config);
     for (const auto& [name, node] : root) {
         const std::string section(name.str());
         const bool known =
             std::ranges::any_of(keys, [&](const ConfigKey& key) { return key.section == section; });
         if (!known || !node.is_table()) {
-            refuse(file, node.source(), "unknown section " + section + "; there is: " + known_sections(keys));
+            refuse_toml(file, node.source(),
+                        "unknown section " + section + "; there is: " + known_sections(keys));
         }
         take_section(section, *node.as_table(), file, keys);
     }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <fmt/format.h>
 #include <numeric>
 #include <utility>
 
@@ -12,7 +13,6 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-constexpr std::size_t fewest_corners = 3, most_corners = 12;
 constexpr float least_side_mm = 20.f, least_width_mm = 40.f;
 
 /// Twice the area of a triangle; its sign tells on which side of a to b the point lies.
@@ -74,7 +74,8 @@ Vector3f point_c_m(const PlaneFrame& plane, const Vector2f& place_mm) {
 
 std::string fault_of(const Polygon& polygon) {
     const std::size_t n = polygon.size();
-    if (n < fewest_corners || n > most_corners) return "an area has 3 to 12 corners";
+    if (n < fewest_area_corners || n > most_area_corners)
+        return fmt::format("an area has {} to {} corners", fewest_area_corners, most_area_corners);
     for (std::size_t i = 0; i < n; ++i)
         if ((polygon[i] - polygon[(i + 1) % n]).norm() < least_side_mm)
             return "corners of an area are at least 20 mm apart";

@@ -51,6 +51,9 @@ struct InteractiveArea {
     Eigen::Vector3f axis_v_c_m{0.f, 1.f, 0.f};
 };
 
+/// Corners of a polygon on it.
+constexpr std::size_t fewest_area_corners = 3, most_area_corners = 12;
+
 /// The same place on the surface in another camera frame.
 InteractiveArea transformed(const RigidTransform& T_new_old, const InteractiveArea& area);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/types.hpp"
 #include "ui/hint_card.hpp"
 #include "ui/scene_list.hpp"
 
@@ -11,7 +12,6 @@ namespace {
 
 using Eigen::Vector2f;
 
-constexpr std::size_t fewest_corners = 3, most_corners = 12;
 constexpr float closing_mm = 30.f;  // so near to the first corner a touch closes the area
 constexpr float corner_disc_px = 8.f;
 
@@ -56,11 +56,11 @@ void AreaEditor::take(const Corner& corner) {
         return;
     }
     chosen_.clear();
-    const bool closes = corners_.size() >= fewest_corners &&
+    const bool closes = corners_.size() >= fewest_area_corners &&
                         (corner.pixel_px - corners_.front().pixel_px).norm() * mm_per_px_ < closing_mm;
     if (closes)
         finish();
-    else if (corners_.size() < most_corners)
+    else if (corners_.size() < most_area_corners)
         corners_.push_back(corner);
 }
 
@@ -115,7 +115,7 @@ const ShownArea* AreaEditor::chosen() const {
 }
 
 void AreaEditor::finish() {
-    if (is_waiting_ || corners_.size() < fewest_corners) return;
+    if (is_waiting_ || corners_.size() < fewest_area_corners) return;
     std::vector<AreaDraft> all = drafts();
     AreaDraft& made = all.emplace_back();
     for (const Corner& corner : corners_) made.corners_uv.push_back(corner.uv);
@@ -161,7 +161,7 @@ std::vector<Button> AreaEditor::buttons() const {
     std::vector<Button> all;
     if (!corners_.empty()) {
         all.push_back(make_button(AreaButton::finish, Icon::finish, "Finish area"));
-        all.back().enabled = corners_.size() >= fewest_corners;
+        all.back().enabled = corners_.size() >= fewest_area_corners;
         all.push_back(make_button(AreaButton::undo, Icon::undo, "Undo corner"));
     }
     if (const ShownArea* area = chosen()) {
@@ -180,7 +180,8 @@ std::string AreaEditor::hint() const {
     if (const ShownArea* area = chosen()) return area->name + " shows " + scene_words(area->scene) + ".";
     if (corners_.empty())
         return "Touch the corners of a new area in order around it, or touch an area to change it.";
-    if (corners_.size() < fewest_corners) return "Touch the next corner. It lies where the finger leaves.";
+    if (corners_.size() < fewest_area_corners)
+        return "Touch the next corner. It lies where the finger leaves.";
     return "Touch the next corner, or the first one again to finish.";
 }
 
@@ -208,7 +209,7 @@ void AreaEditor::draw_new_one(Canvas& canvas, const ViewMapping& view) const {
     for (std::size_t i = 0; i + 1 < places.size(); ++i)
         canvas.line(places[i], places[i + 1], style::ring_px * canvas.scale(), style::accent);
     for (const Vector2f& place : places) canvas.disc(place, corner_disc_px * canvas.scale(), style::accent);
-    if (corners_.size() >= fewest_corners)
+    if (corners_.size() >= fewest_area_corners)
         canvas.ring(places.front(), 2.f * corner_disc_px * canvas.scale(), style::ring_px * canvas.scale(),
                     style::accent);
 }

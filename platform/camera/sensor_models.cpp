@@ -6,10 +6,9 @@
 #include <fmt/core.h>
 #include <fstream>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "platform/system/error.hpp"
-#include "platform/system/one_line.hpp"
+#include "platform/system/toml_text.hpp"
 #include "sensor_model_files.hpp"
 
 namespace touchstone {
@@ -58,7 +57,7 @@ class ModelReader {
 
   private:
     [[noreturn]] void refuse(const toml::node& at, const std::string& what) const {
-        throw Error(ExitStatus::configuration, fmt::format("{}:{}: {}", file_, at.source().begin.line, what));
+        refuse_toml(file_, at.source(), what);
     }
     void refuse_unknown(const toml::table& table, std::initializer_list<std::string_view> known) const {
         for (const auto& [name, node] : table)
@@ -131,20 +130,14 @@ std::string to_text(const DepthMode& mode) {
 }
 
 std::vector<SensorModel> parse_sensor_models(const std::string& text, const std::string& file) {
+    const toml::table all = parse_toml(text, file);
+    const toml::array* sensors = all["sensor"].as_array();
+    if (sensors == nullptr || all.size() != 1)
+        throw Error(ExitStatus::configuration,
+                    fmt::format("{}: holds [[sensor]] tables and nothing else", file));
     std::vector<SensorModel> models;
-    try {
-        const toml::table all = toml::parse(text, file);
-        const toml::array* sensors = all["sensor"].as_array();
-        if (sensors == nullptr || all.size() != 1)
-            throw Error(ExitStatus::configuration,
-                        fmt::format("{}: holds [[sensor]] tables and nothing else", file));
-        for (const toml::node& sensor : *sensors) {
-            if (const toml::table* table = sensor.as_table())
-                models.push_back(ModelReader(*table, file).read());
-        }
-    } catch (const toml::parse_error& error) {
-        throw Error(ExitStatus::configuration, fmt::format("{}:{}: {}", file, error.source().begin.line,
-                                                           one_line(std::string(error.description()))));
+    for (const toml::node& sensor : *sensors) {
+        if (const toml::table* table = sensor.as_table()) models.push_back(ModelReader(*table, file).read());
     }
     return models;
 }

@@ -133,7 +133,7 @@ TEST(RecoveryRun, ATornPictureAndAClockThatJumpsTouchNothing) {
     for (const auto& line : lines_of(result)) {
         EXPECT_TRUE(line["touches"].empty()) << line;
         const auto time_us = line["time_us"].get<std::uint64_t>();
-        EXPECT_LT(time_us - last_us, 3'000'000U) << line;
+        EXPECT_LT(time_us - last_us, 60'000'000U) << line << " (the clock has jumped by an hour)";
         last_us = time_us;
     }
 }

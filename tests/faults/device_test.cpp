@@ -17,7 +17,8 @@ class Device : public testing::Test {
     RunningProgram start(const std::string& module, const std::string& sensor,
                          const std::vector<std::string>& more = {}) const {
         return RunningProgram(folder_.command(sensor, more),
-                              {{"LD_PRELOAD", std::string(TOUCHSTONE_PRELOADS) + "/lib" + module + ".so"},
+                              {{"LD_PRELOAD", fmt::format("{}{}/lib{}.so", TOUCHSTONE_PRELOAD_FIRST,
+                                                          TOUCHSTONE_PRELOADS, module)},
                                {"TOUCHSTONE_FAULT_SWITCH", (folder_ / "fault").string()}});
     }
     void fail() const { std::ofstream(folder_ / "fault") << "now"; }

@@ -76,7 +76,7 @@ TEST(Termination, WhileItIsLive) {
 /// A knock that cannot be undone: it looks for its pose for long.
 TEST(Termination, WhileItRealigns) {
     const TableFolder folder;
-    RunningProgram program(folder.command("sim:cluttered?hands=0&seed=3&knock_s=2&knock_deg=10&knock_mm=80"));
+    RunningProgram program(folder.command("sim:cluttered?hands=0&seed=3&knock_s=5&knock_deg=10&knock_mm=80"));
     ASSERT_TRUE(folder.comes_to("realigning")) << program.errors_so_far();
     expect_good_end(program, folder);
 }
