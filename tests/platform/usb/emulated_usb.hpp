@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -23,7 +22,7 @@ class EmulatedUsb {
     EmulatedUsb(const EmulatedUsb&) = delete;
     EmulatedUsb& operator=(const EmulatedUsb&) = delete;
 
-    static bool possible() { return std::getenv("LD_PRELOAD") != nullptr; }
+    static bool works() { return umockdev_in_mock_environment() != 0; }
 
     /// "1-2.3" on bus 1; class 9 is a hub.
     void plug_in(const std::string& name, std::uint16_t vendor, std::uint16_t product, int usb_class = 0) {

@@ -19,12 +19,13 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr unsigned nobody = 65534;
+constexpr int no_other_user = 100;
 
 class UsbDeviceTest : public ::testing::Test {
   protected:
     void SetUp() override {
-        if (!EmulatedUsb::possible()) GTEST_SKIP() << "needs umockdev's library preloaded: umockdev-wrapper";
         usb = std::make_unique<EmulatedUsb>();
+        if (!EmulatedUsb::works()) GTEST_SKIP() << "needs umockdev's library preloaded: umockdev-wrapper";
     }
     static std::vector<UsbDepthCamera> cameras() { return find_depth_cameras(list_usb_devices()); }
     static UsbDevice only_camera() { return cameras().at(0).device; }
@@ -36,7 +37,7 @@ class UsbDeviceTest : public ::testing::Test {
 int state_for_nobody() {
     const pid_t child = fork();
     if (child == 0) {
-        if (getuid() == 0 && setuid(nobody) != 0) _exit(100);
+        if (getuid() == 0 && setuid(nobody) != 0) _exit(no_other_user);
         try {
             const auto cameras = find_depth_cameras(list_usb_devices());
             _exit(cameras.size() == 1 ? static_cast<int>(cameras[0].state) : 101);
@@ -89,7 +90,9 @@ TEST_F(UsbDeviceTest, WithoutPermission) {
     usb->plug_in_kinect("1-2");
     ASSERT_EQ(chmod(usb->root().c_str(), 0777), 0);  // the emulation makes sockets there
     ASSERT_EQ(chmod(usb->real_node("1-2.3").c_str(), 0666), 0);
-    EXPECT_EQ(state_for_nobody(), static_cast<int>(UsbCameraState::ready));
+    const int state = state_for_nobody();
+    if (state == no_other_user) GTEST_SKIP() << "this user namespace has one user only";
+    EXPECT_EQ(state, static_cast<int>(UsbCameraState::ready));
     ASSERT_EQ(chmod(usb->real_node("1-2.3").c_str(), getuid() == 0 ? 0600 : 0), 0);
     EXPECT_EQ(state_for_nobody(), static_cast<int>(UsbCameraState::no_permission));
 }
