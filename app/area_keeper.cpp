@@ -1,8 +1,11 @@
 #include "app/area_keeper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fmt/format.h>
+#include <numeric>
+#include <utility>
 
 #include "app/area_scenes.hpp"
 #include "app/areas_file.hpp"
@@ -14,6 +17,7 @@ namespace touchstone {
 
 namespace {
 
+const std::array<Eigen::Vector2f, 4> corners_uv{{{0.f, 0.f}, {1.f, 0.f}, {1.f, 1.f}, {0.f, 1.f}}};
 constexpr float moved_m = 1e-3f, turned_rad = 1e-3f;  // less is no knock
 
 bool is_elsewhere(const RigidTransform& before, const RigidTransform& after) {
@@ -48,11 +52,40 @@ void AreaKeeper::load() {
 }
 
 void AreaKeeper::assign(const InteractionPipeline& pipeline, InteractionFrame& frame) {
-    if (frame.state == InteractionState::scanning) T_g_c_.reset();
-    if (areas().empty() || !pipeline.area()) return;
+    if (frame.state == InteractionState::scanning) {
+        T_g_c_.reset();
+        is_told_ = false;
+    }
+    if (!pipeline.area()) return;
+    if (frame.state == InteractionState::live && !std::exchange(is_told_, true))
+        tell_places(*pipeline.area());
+    if (areas().empty()) return;
     if (frame.state == InteractionState::live)
         follow_camera(*pipeline.area(), pipeline.background()->T_g_c());
     assignment_.assign(*pipeline.area(), frame.touches, frame.hovers);
+}
+
+/// Where the white frame lies, in the numbers of the areas' file, and what lies beside it.
+void AreaKeeper::tell_places(const InteractiveArea& table) const {
+    const PlaneFrame plane = plane_frame(table);
+    Polygon frame;
+    std::string corners;
+    for (const Eigen::Vector2f& uv : corners_uv) {
+        frame.push_back(
+            place_mm(plane, table.origin_c_m + uv.x() * table.axis_u_c_m + uv.y() * table.axis_v_c_m));
+        corners += fmt::format("{}[{:.0f}, {:.0f}]", corners.empty() ? "" : ", ", frame.back().x(),
+                               frame.back().y());
+    }
+    log_info("interactive area: {:.0f} x {:.0f} mm, corners_mm = [{}]", 1000.f * table.axis_u_c_m.norm(),
+             1000.f * table.axis_v_c_m.norm(), corners);
+    for (const NamedArea& area : areas()) {
+        const Eigen::Vector2f middle =
+            std::accumulate(area.corners_mm.begin(), area.corners_mm.end(), Eigen::Vector2f(0.f, 0.f)) /
+            static_cast<float>(area.corners_mm.size());
+        if (!is_inside(frame, middle))
+            log_warning("the middle of area {} lies outside the interactive area: no touch is promised there",
+                        area.name);
+    }
 }
 
 void AreaKeeper::follow_camera(const InteractiveArea& table, const RigidTransform& T_g_c) {

@@ -38,12 +38,13 @@ class AreaKeeper {
 
   private:
     void load();
+    void tell_places(const InteractiveArea& table) const;
     void follow_camera(const InteractiveArea& table, const RigidTransform& T_g_c);
     std::vector<NamedArea> areas_of(std::span<const AreaDraft> drafts, const InteractiveArea& table) const;
     std::string free_name(const std::vector<NamedArea>& taken) const;
 
     std::string file_, table_scene_;
-    bool on_surface_ = false;
+    bool on_surface_ = false, is_told_ = false;
     AreaAssignment assignment_;
     std::optional<RigidTransform> T_g_c_;  ///< of the camera in whose plane frame the corners are
     std::string words_;

@@ -125,21 +125,21 @@ std::string calibration_json(const CalibrationResult& result) {
 ExitStatus calibrate_command(const CalibrateOptions& options) {
     set_log_level(log_level(options.config));
     const std::string& file = options.config.projector.file;
-    if (!file.empty()) check_writable(file);
+    if (file.empty())
+        log_warning("nothing will be kept: name a file as [projector] file in the configuration");
+    else
+        check_writable(file);
     if (options.json_file && *options.json_file != "-") check_writable(*options.json_file);
     TerminationSignals signals;
     Calibration calibration(options, signals);
     const CalibrationResult result = calibration.run();
-    log_info("calibrated in {} frames, {:.1f} s of the camera", calibration.frames(),
+    log_info("looked at {} frames, {:.1f} s of the camera", calibration.frames(),
              calibration.frames() / calibration.rate_hz());
     if (options.json_file) write_json(*options.json_file, calibration_json(result));
     const bool is_good = result.fit.verdict == ProjectorVerdict::good;
     if (!is_good) throw Error(ExitStatus::bad_data, "not calibrated: " + result.verdict);
     if (options.json_file != "-") std::printf("%s\n", result.verdict.c_str());
-    if (file.empty()) {
-        log_warning("nothing is kept: name a file as projector.file in the configuration");
-        return ExitStatus::ok;
-    }
+    if (file.empty()) return ExitStatus::ok;
     save_projector(file, {calibration.seen_from_camera(result.fit.model), result.method, result.fit.rms_px,
                           result.fit.rms_mm, result.fit.used});
     log_info("kept in {}", file);

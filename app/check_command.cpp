@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/check_report.hpp"
+#include "app/configuration_checks.hpp"
 #include "app/machine_checks.hpp"
 #include "app/progress_line.hpp"
 #include "app/sensor_checks.hpp"
@@ -23,7 +24,8 @@ std::vector<CheckLine> check_all(const CheckOptions& options) {
     Config config;
     progress.show("checking configuration and sensors");
     const CheckLine configuration = check_configuration(options.config_file, config);
-    std::vector<CheckLine> lines = check_sensors();
+    std::vector<CheckLine> lines = check_named_source(config);
+    if (lines.empty()) lines = check_sensors();
     progress.show("checking and measuring OpenCL devices");
     append(lines, check_compute(config));
     lines.push_back(check_drawing());
@@ -32,6 +34,7 @@ std::vector<CheckLine> check_all(const CheckOptions& options) {
     lines.push_back(check_service());
     lines.push_back(check_disk(default_cache_dir()));
     lines.push_back(configuration);
+    append(lines, check_named_files(config));
     return lines;
 }
 

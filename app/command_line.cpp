@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <sstream>
 
 #include "app/command_arguments.hpp"
@@ -13,6 +14,23 @@ namespace {
 
 const CLI::Validator not_empty(
     [](const std::string& text) { return text.empty() ? std::string("needs a name") : std::string(); }, "");
+
+const CLI::Validator positive(
+    [](const std::string& text) {
+        int number = 0;
+        return CLI::detail::lexical_cast(text, number) && number > 0 ? std::string()
+                                                                     : text + " is not a whole number from 1";
+    },
+    "");
+
+const CLI::Validator positive_seconds(
+    [](const std::string& text) {
+        double seconds = 0.0;
+        return CLI::detail::lexical_cast(text, seconds) && seconds > 0.0 && seconds <= 1e9
+                   ? std::string()
+                   : text + " is not a number of seconds above 0";
+    },
+    "");
 
 const CLI::Validator volume_size(
     [](const std::string& text) {
@@ -41,8 +59,11 @@ CLI::Option* add_camera_options(CLI::App& app, SourceArguments& arguments) {
     app.add_option("--pace", arguments.pace, "live or step; step takes every frame in order")
         ->check(CLI::IsMember({"live", "step"}));
     app.add_option("--config", arguments.config_file, "TOML file; see run --print-config");
-    app.add_option("--frames", arguments.frames, "end after so many frames")->check(CLI::PositiveNumber);
     return sensor;
+}
+
+void add_frames(CLI::App& app, SourceArguments& arguments) {
+    app.add_option("--frames", arguments.frames, "end after so many frames")->check(positive);
 }
 
 /// Also the volume that its frames are fused into.
@@ -64,6 +85,7 @@ void add_display(CLI::App& app, std::string& display) {
 
 void add_run_options(CLI::App& app, RunArguments& arguments) {
     add_source_options(app, arguments.source);
+    add_frames(app, arguments.source);
     add_display(app, arguments.display);
     app.add_option("--scene", arguments.scene, "what the table shows")->check(CLI::IsMember(scene_names()));
     app.add_option("--events", arguments.events, "touches as JSON lines, - for standard output");
@@ -83,6 +105,7 @@ void add_mesh_file(CLI::App& app, ModelArguments& arguments) {
 CLI::App* add_scan(CLI::App& app, ModelArguments& arguments) {
     CLI::App* scan = app.add_subcommand("scan", "scan what a fixed camera sees, once");
     add_source_options(*scan, arguments.source);
+    add_frames(*scan, arguments.source);
     add_scan_file(*scan, arguments)->required();
     add_mesh_file(*scan, arguments);
     return scan;
@@ -94,6 +117,7 @@ CLI::App* add_track(CLI::App& app, ModelArguments& arguments) {
         ->required()
         ->check(not_empty)
         ->description("PATH.oni, seq:DIR, sim:SCENE?key=value&...");
+    add_frames(*track, arguments.source);
     track->add_option("--trajectory", arguments.trajectory, "file for the camera's path, TUM format")
         ->check(not_empty);
     add_scan_file(*track, arguments);
@@ -117,6 +141,7 @@ CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& arguments) {
 CLI::App* add_record(CLI::App& app, RecordArguments& arguments) {
     CLI::App* record = app.add_subcommand("record", "write what the camera gives to an .oni file");
     add_camera_options(*record, arguments.source);
+    add_frames(*record, arguments.source);
     record->add_flag("--color", arguments.color, "colour too, where the camera has it");
     record->add_option("FILE.oni", arguments.oni, "the file")->check(not_empty)->required();
     return record;
@@ -125,6 +150,7 @@ CLI::App* add_record(CLI::App& app, RecordArguments& arguments) {
 CLI::App* add_bench(CLI::App& app, BenchArguments& arguments) {
     CLI::App* bench = app.add_subcommand("bench", "how long the frames of run, or of track, take");
     add_source_options(*bench, arguments.source);
+    add_frames(*bench, arguments.source);
     bench->add_flag("--moving", arguments.moving, "the loop of track instead of that of run");
     bench->add_option("--json", arguments.json, "file for the figures, - for standard output")
         ->check(not_empty);
@@ -148,7 +174,7 @@ CLI::App* add_notice(CLI::App& app, NoticeArguments& arguments) {
     notice->add_option("WORDS", arguments.words, "what it says")->check(not_empty)->required();
     notice->add_option("--config", arguments.config_file, "TOML file: which output and mode");
     add_display(*notice, arguments.display);
-    notice->add_option("--seconds", arguments.seconds, "how long, default 300")->check(CLI::PositiveNumber);
+    notice->add_option("--seconds", arguments.seconds, "how long, default 300")->check(positive_seconds);
     return notice;
 }
 
@@ -199,6 +225,9 @@ Command parse_command_line(int argc, const char* const* argv) {
         std::ostringstream text, errors;
         app.exit(request, text, errors);
         return PrintedText{text.str()};
+    } catch (const CLI::ExtrasError&) {
+        throw Error(ExitStatus::usage, fmt::format("not understood: {}; see touchstone --help",
+                                                   fmt::join(app.remaining(true), " ")));
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, std::string(error.what()) + "; see touchstone --help");
     }

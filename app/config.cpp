@@ -1,6 +1,7 @@
 #include "app/config.hpp"
 
 #include "platform/system/error.hpp"
+#include "ui/scene_names.hpp"
 
 namespace touchstone {
 
@@ -11,14 +12,24 @@ class KeyList {
   public:
     void section(std::string name) { section_ = std::move(name); }
     void add(const std::string& name, bool& value, const std::string& meaning) {
-        keys_.push_back({section_, name, &value, 0, 0, meaning});
+        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::any, {}});
     }
     void add(const std::string& name, std::string& value, const std::string& meaning) {
-        keys_.push_back({section_, name, &value, 0, 0, meaning});
+        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::any, {}});
+    }
+    void add_path(const std::string& name, std::string& value, const std::string& meaning) {
+        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::path, {}});
+    }
+    void add_choice(const std::string& name, std::string& value, std::vector<std::string> choices,
+                    const std::string& meaning) {
+        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::any, std::move(choices)});
+    }
+    void add_sensor_uri(const std::string& name, std::string& value, const std::string& meaning) {
+        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::sensor_uri, {}});
     }
     template <class Number>
     void add(const std::string& name, Number& value, double min, double max, const std::string& meaning) {
-        keys_.push_back({section_, name, &value, min, max, meaning});
+        keys_.push_back({section_, name, &value, min, max, meaning, ConfigKey::Text::any, {}});
     }
     std::vector<ConfigKey> take() { return std::move(keys_); }
 
@@ -43,8 +54,9 @@ void add_volume_keys(KeyList& keys, Config& config) {
     keys.add("frames", interaction.scan_frames, 1, 1000, "frames until a still scene is live");
     keys.add("wait_frames", interaction.stillness.wait_frames, 0, 100000,
              "at most so long the scan waits for a view in which nothing moves");
-    keys.add("file", config.scan_file,
-             "a start goes on with this scan where it fits the view, else it is written anew; empty: none");
+    keys.add_path(
+        "file", config.scan_file,
+        "a start goes on with this scan where it fits the view, else it is written anew; empty: none");
 }
 
 void add_object_keys(KeyList& keys, Config& config) {
@@ -53,10 +65,10 @@ void add_object_keys(KeyList& keys, Config& config) {
     keys.add("settle_s", objects.settle_s, 0.2, 3600,
              "what is put down and left becomes background after so long");
     keys.add("max_side_m", objects.max_side_m, 0.02, 5, "larger things are people and furniture: never");
-    keys.add("export_dir", objects.export_dir,
-             "folder for meshes and scans of what is lifted out of the scanned scene; empty: none");
-    keys.add("model", config.object_file,
-             "scan of one object (track --scan): it is found in a hand and followed; empty: none");
+    keys.add_path("export_dir", objects.export_dir,
+                  "folder for meshes and scans of what is lifted out of the scanned scene; empty: none");
+    keys.add_path("model", config.object_file,
+                  "scan of one object (track --scan): it is found in a hand and followed; empty: none");
     keys.add("follow_lifted", config.interaction.follow_lifted,
              "what is lifted out of the scanned scene is followed so, too");
 }
@@ -64,14 +76,14 @@ void add_object_keys(KeyList& keys, Config& config) {
 void add_foreground_keys(KeyList& keys, Config& config) {
     ForegroundModelConfig& foreground = config.interaction.foreground;
     keys.section("foreground");
-    keys.add(
-        "reconstruct", foreground.reconstruct,
+    keys.add_choice(
+        "reconstruct", foreground.reconstruct, {"on", "off", "auto"},
         "what moves gets a model of its own, else it is shown as measured: on, off, or auto, which is on "
         "with a GPU");
     keys.add("most_volumes", foreground.most_volumes, 1, 8, "things that have one at a time");
     keys.section("rendering");
-    keys.add(
-        "view", config.interaction.rendering.view,
+    keys.add_choice(
+        "view", config.interaction.rendering.view, {"shaded", "normals", "camera"},
         "of the table: shaded, normals as colours, or camera: its own picture, with what is virtual and its "
         "shadows in it");
 }
@@ -79,13 +91,13 @@ void add_foreground_keys(KeyList& keys, Config& config) {
 void add_sensor_keys(KeyList& keys, Config& config) {
     DepthMapConversionConfig& conversion = config.interaction.conversion;
     keys.section("sensor");
-    keys.add("uri", config.sensor_uri, "sensor URI; empty: the attached camera");
+    keys.add_sensor_uri("uri", config.sensor_uri, "sensor URI; empty: the attached camera");
     keys.add("mode", config.sensor_mode,
              "WIDTHxHEIGHT@HERTZ of a device's depth picture, e.g. 320x240@60; empty: its model's");
     keys.add(
         "color", config.sensor_color,
         "its colour picture, too, where it has one: the scan keeps colours, which mirror and inspect show");
-    keys.add(
+    keys.add_path(
         "models", config.sensor_models,
         "file of camera models (platform/camera/sensor_models.toml shows the form) before the built-in ones");
     keys.add("min_depth_m", conversion.min_depth_m, 0.1, 5, "nearer readings are invalid");
@@ -102,8 +114,8 @@ void add_sensor_keys(KeyList& keys, Config& config) {
 
 void add_output_keys(KeyList& keys, Config& config) {
     keys.section("areas");
-    keys.add("file", config.areas_file,
-             "of named areas with scenes and TUIO sources of their own; empty: the table is one");
+    keys.add_path("file", config.areas_file,
+                  "of named areas with scenes and TUIO sources of their own; empty: the table is one");
     keys.section("tuio");
     keys.add("enabled", config.tuio.enabled, "TUIO 1.1 2Dcur over UDP");
     keys.add("host", config.tuio.host, "receiver");
@@ -175,14 +187,16 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.section("touch");
     keys.add("hidden_s", config.interaction.touch.tracking.hidden_s, 0, 2,
              "a touch that something covers is kept for so long");
-    keys.add("bias_file", config.bias_file,
-             "what the touched crosses told; where it is not there yet, the table asks to touch them; empty: "
-             "neither");
+    keys.add_path(
+        "bias_file", config.bias_file,
+        "what the touched crosses told; where it is not there yet, the table asks to touch them; empty: "
+        "neither");
     add_output_keys(keys, config);
     keys.section("display");
     keys.add("width_px", config.display.width_px, 160, 7680, "of a window or a picture without a screen");
     keys.add("height_px", config.display.height_px, 120, 4320, "");
-    keys.add("scene", config.display.scene, "what the table shows");
+    keys.add_choice("scene", config.display.scene, {all_scene_names.begin(), all_scene_names.end()},
+                    "what the table shows");
     keys.add("output", config.display.output,
              "screen of --display projector, by its name or part of it (touchstone check lists them); empty: "
              "the last that is not the primary one");
@@ -190,13 +204,13 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.add("menu", config.display.menu, "scenes are changed by touch");
     keys.add("attract_after_s", config.display.attract_after_s, 0, 86400,
              "without touch or hover, until the table asks to be touched; 0: never");
-    keys.add("painting_file", config.display.painting_file, "keeps what is painted; empty: it is lost");
-    keys.add("model", config.display.model,
-             "OBJ, glTF or PLY that stands in the scene mirror; empty: a vase");
-    keys.add("photos", config.display.photos, "folder of PNG and JPEG for the scene photos");
+    keys.add_path("painting_file", config.display.painting_file, "keeps what is painted; empty: it is lost");
+    keys.add_path("model", config.display.model,
+                  "OBJ, glTF or PLY that stands in the scene mirror; empty: a vase");
+    keys.add_path("photos", config.display.photos, "folder of PNG and JPEG for the scene photos");
     keys.section("projector");
-    keys.add("file", config.projector.file,
-             "of touchstone calibrate: where the picture lies; empty: unknown");
+    keys.add_path("file", config.projector.file,
+                  "of touchstone calibrate: where the picture lies; empty: unknown");
     keys.add("moves_with_camera", config.projector.moves_with_camera,
              "both hang on one mount: a knock moves both");
     keys.add("spares_hands", config.projector.spares_hands, "nothing is drawn on hands");
@@ -212,11 +226,12 @@ std::vector<ConfigKey> config_keys(Config& config) {
     keys.section("health");
     keys.add("port", config.health.port, 0, 65535,
              "figures of the running table at http://127.0.0.1:PORT/metrics, for Prometheus; 0: none");
-    keys.add("fault_dir", config.fault_reports.dir,
-             "folder for what the camera gave in the 10 s before it failed, to replay; empty: none");
+    keys.add_path("fault_dir", config.fault_reports.dir,
+                  "folder for what the camera gave in the 10 s before it failed, to replay; empty: none");
     keys.add("fault_reports", config.fault_reports.most, 1, 1000, "older ones are deleted");
     keys.section("log");
-    keys.add("level", config.log_level, "debug, info, warning or error");
+    keys.add_choice("level", config.log_level, {"debug", "info", "warning", "error"},
+                    "debug, info, warning or error");
     return keys.take();
 }
 

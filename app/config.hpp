@@ -89,18 +89,22 @@ LogLevel log_level(const Config& config);
 
 /// One key of the configuration file: where its value lies, what it may be, what it is for.
 struct ConfigKey {
+    enum class Text { any, path, sensor_uri };
     using Value = std::variant<bool*, int*, float*, std::string*>;
 
     std::string section, name;
     Value value;
     double min = 0.0, max = 0.0;  ///< of numbers, both allowed
     std::string meaning;
+    Text text = Text::any;             ///< paths are taken as path_in_config() says
+    std::vector<std::string> choices;  ///< of texts; empty: any
 };
 
 /// Every key, in the order in which `--print-config` shows them. The values point into `config`.
 std::vector<ConfigKey> config_keys(Config& config);
 
-/// Takes over a TOML text. Throws Error{configuration} naming `file`, the line and what is allowed.
+/// Takes over a TOML text, relative paths as path_in_config(). Throws Error{configuration} naming `file`, the
+/// line and what is allowed.
 void parse_config(const std::string& text, const std::string& file, Config& config);
 
 /// Reads a file. Throws Error{no_input} where it is missing, else as parse_config.

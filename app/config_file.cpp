@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
 
 #include "app/config.hpp"
+#include "app/config_paths.hpp"
 #include "platform/system/error.hpp"
 #include "platform/system/toml_text.hpp"
 
@@ -18,14 +21,28 @@ std::string full_name(const ConfigKey& key) { return key.section + "." + key.nam
 
 std::string allowed(const ConfigKey& key) {
     if (std::holds_alternative<bool*>(key.value)) return full_name(key) + " is true or false";
+    if (!key.choices.empty())
+        return fmt::format("{} is one of \"{}\"", full_name(key), fmt::join(key.choices, "\", \""));
     if (std::holds_alternative<std::string*>(key.value)) return full_name(key) + " is a text in quotes";
     const char* kind =
         std::holds_alternative<int*>(key.value) ? " is a whole number from " : " is a number from ";
     return full_name(key) + kind + plain_number(key.min) + " to " + plain_number(key.max);
 }
 
-/// False where the node is of another kind or out of range.
-bool take(const toml::node& node, const ConfigKey& key) {
+std::string text_in_config(const std::string& file, const ConfigKey& key, const std::string& value) {
+    switch (key.text) {
+        case ConfigKey::Text::path:
+            return path_in_config(file, value);
+        case ConfigKey::Text::sensor_uri:
+            return sensor_uri_in_config(file, value);
+        case ConfigKey::Text::any:
+            break;
+    }
+    return value;
+}
+
+/// False where the node is of another kind, out of range, or none of the choices.
+bool take(const toml::node& node, const ConfigKey& key, const std::string& file) {
     const auto in_range = [&](double value) { return value >= key.min && value <= key.max; };
     if (bool* const* flag = std::get_if<bool*>(&key.value)) {
         const auto value = node.value_exact<bool>();
@@ -34,8 +51,10 @@ bool take(const toml::node& node, const ConfigKey& key) {
     }
     if (std::string* const* text = std::get_if<std::string*>(&key.value)) {
         const auto value = node.value_exact<std::string>();
-        if (value) **text = *value;
-        return value.has_value();
+        if (!value) return false;
+        if (!key.choices.empty() && std::ranges::find(key.choices, *value) == key.choices.end()) return false;
+        **text = text_in_config(file, key, *value);
+        return true;
     }
     if (int* const* whole = std::get_if<int*>(&key.value)) {
         const auto value = node.value_exact<std::int64_t>();
@@ -65,7 +84,7 @@ void take_section(const std::string& section, const toml::table& table, const st
                 file, node.source(),
                 fmt::format("unknown key {}.{}; [{}] knows: {}", section, name.str(), section, known));
         }
-        if (!take(node, *match)) refuse_toml(file, node.source(), allowed(*match));
+        if (!take(node, *match, file)) refuse_toml(file, node.source(), allowed(*match));
     }
 }
 
@@ -113,7 +132,9 @@ void parse_config(const std::string& text, const std::string& file, Config& conf
 
 void load_config(const std::string& file, Config& config) {
     std::ifstream stream(file);
-    if (!stream) throw Error(ExitStatus::no_input, "configuration file " + file + " cannot be opened");
+    if (!stream)
+        throw Error(ExitStatus::no_input,
+                    fmt::format("configuration file {} cannot be opened: {}", file, std::strerror(errno)));
     std::ostringstream text;
     text << stream.rdbuf();
     parse_config(text.str(), file, config);

@@ -44,6 +44,9 @@ std::string health_line(const HealthFigures& before, const HealthFigures& now, d
 }
 
 Health::Health(const HealthConfig& config, Time now) : read_at_(now), line_at_(now + between_lines) {
+    // A counter that is not there until something happens cannot be watched.
+    for (const char* kind : {"silent", "frozen", "blind", "torn", "lost", "clock"}) figures_.faults[kind] = 0;
+    for (const char* what : {"stream", "camera", "usb"}) figures_.restarts[what] = 0;
     if (config.port == 0) return;
     page_.emplace(config.port);
     log_info("health: http://127.0.0.1:{}/metrics", page_->port());

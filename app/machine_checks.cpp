@@ -97,7 +97,7 @@ std::vector<CheckLine> output_lines(std::span<const Output> outputs) {
         lines.push_back({"outputs", CheckStatus::ok, list_text(std::span(&output, 1)), {}});
     if (!lines.empty()) return lines;
     return {{"outputs", CheckStatus::warn, "no screen or projector is connected",
-             "connect one and switch it on; without one, use --display headless"}};
+             "connect one and switch it on; without one nothing is seen, and touches go out all the same"}};
 }
 
 CheckLine check_uinput(const fs::path& node) {
@@ -124,7 +124,7 @@ CheckLine check_service(const fs::path& root) {
                     "sudo systemctl enable --now touchstone"};
     }
     return {"service", CheckStatus::warn, "touchstone does not start with the machine: no touchstone.service",
-            "start it by hand, or from a unit of your own"};
+            "toolchain/package makes a package with one; README.md, As a service, has the three commands"};
 }
 
 CheckLine check_disk(const fs::path& folder) {

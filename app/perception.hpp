@@ -50,6 +50,7 @@ class Perception {
     void follow();
     /// What scene and operator need from now on.
     void take(TableWish wish);
+    const HealthFigures& figures() const { return health_.figures(); }
     /// In step pace every frame must be shown before the next one.
     bool in_lock_step() const { return camera_ && camera_->pace() == Pace::step; }
 

@@ -31,7 +31,11 @@ std::vector<fs::path> photo_files(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
          entry.increment(failure))
         if (is_png(entry->path()) || is_jpeg(entry->path())) files.push_back(entry->path());
-    if (failure) log_warning("no photos from {}: {}", folder.string(), failure.message());
+    if (failure)
+        log_warning("no photos from {}: {}; pictures of the program's own are shown", folder.string(),
+                    failure.message());
+    else if (files.empty())
+        log_warning("no PNG or JPEG in {}: pictures of the program's own are shown", folder.string());
     std::ranges::sort(files);
     if (files.size() > most_photos) {
         log_info("{} holds {} pictures: the first {} are shown", folder.string(), files.size(), most_photos);

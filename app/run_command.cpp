@@ -39,6 +39,8 @@ ExitStatus run_command(const RunOptions& options) {
         run_in_lock_step(perception, presentation, signals, watch);
     else
         run_two_loops(perception, presentation, signals, watch);
+    log_info("ended after {} frames and {} touches", perception.figures().frames,
+             perception.figures().touches);
     return ExitStatus::ok;
 }
 

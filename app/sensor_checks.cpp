@@ -63,8 +63,10 @@ std::vector<CheckLine> usb_lines(std::span<const UsbDepthCamera> cameras) {
     std::vector<CheckLine> lines;
     for (const UsbDepthCamera& camera : cameras) add_camera(camera, lines);
     if (lines.empty()) {
-        lines.push_back({"sensor", CheckStatus::fail, "no depth camera is plugged in",
-                         "plug one in; without one, name a recording or a simulation: --sensor sim:mixed"});
+        lines.push_back(
+            {"sensor", CheckStatus::fail, "no depth camera is plugged in",
+             "plug one in; without one, name a recording or a simulation: touchstone --sensor sim:mixed, or "
+             "[sensor] uri in the configuration"});
     }
     return lines;
 }

@@ -1,11 +1,14 @@
 #include "app/touch_outputs.hpp"
 
+#include <fmt/format.h>
+
 #include "platform/output/area_sink.hpp"
 #include "platform/output/event_log.hpp"
 #include "platform/output/tuio_sink.hpp"
 #include "platform/output/udp_channel.hpp"
 #include "platform/output/uinput_sink.hpp"
 #include "platform/output/web_socket_channel.hpp"
+#include "platform/system/log.hpp"
 
 namespace touchstone {
 
@@ -22,6 +25,21 @@ class SharedChannel : public OscChannel {
     std::shared_ptr<OscChannel> channel_;
 };
 
+/// For people: every receiver that the configuration names.
+std::string destinations(const RunOptions& options) {
+    const Config& config = options.config;
+    std::vector<std::string> all;
+    if (config.tuio.enabled) all.push_back(fmt::format("TUIO at {}:{}", config.tuio.host, config.tuio.port));
+    if (config.tuio.enabled && config.tuio.hover_port != 0)
+        all.push_back(fmt::format("TUIO with hovers at {}:{}", config.tuio.host, config.tuio.hover_port));
+    if (config.web_socket_enabled)
+        all.push_back(fmt::format("ws://{}:{}", config.web_socket.host, config.web_socket.port));
+    if (config.touch_screen_enabled) all.emplace_back("a touch screen of this machine");
+    if (options.events_file)
+        all.push_back(*options.events_file == "-" ? "standard output" : *options.events_file);
+    return all.empty() ? "the display only" : fmt::format("{}", fmt::join(all, ", "));
+}
+
 }  // namespace
 
 TouchOutputs::TouchOutputs(const RunOptions& options, std::span<const NamedArea> areas)
@@ -35,6 +53,7 @@ TouchOutputs::TouchOutputs(const RunOptions& options, std::span<const NamedArea>
         ports_.push_back({std::make_shared<UdpChannel>(tuio.host, tuio.hover_port), tuio.hover_height_mm});
     if (config.web_socket_enabled)
         ports_.push_back({std::make_shared<WebSocketChannel>(config.web_socket), {}});
+    log_info("touches go to {}", destinations(options));
     set_areas(areas);
 }
 

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "platform/system/error.hpp"
+#include "ui/scene_names.hpp"
 #include "ui/scenes/attract.hpp"
 #include "ui/scenes/inspect.hpp"
 #include "ui/scenes/mirror.hpp"
@@ -25,7 +26,7 @@ std::unique_ptr<Scene> make(const SceneSetup& setup) {
 }
 
 struct SceneRow {
-    const char* name;
+    std::string_view name;
     std::unique_ptr<Scene> (*make)(const SceneSetup&);
     bool for_screens_only = false;
     bool wants_view = false, wants_particles = false;
@@ -40,6 +41,8 @@ constexpr std::array rows{
     SceneRow{.name = "inspect", .make = make<InspectScene>, .for_screens_only = true, .wants_view = true},
     SceneRow{.name = "attract", .make = make<AttractScene>},
 };
+
+static_assert(std::ranges::equal(rows, all_scene_names, {}, &SceneRow::name));
 
 bool is_for(const SceneRow& row, ScenePlace place) {
     return place == ScenePlace::screen || !row.for_screens_only;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/check_report.hpp"
+#include "app/configuration_checks.hpp"
 #include "app/machine_checks.hpp"
 #include "app/sensor_checks.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -11,6 +12,7 @@
 namespace touchstone {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -115,6 +117,50 @@ TEST(MachineChecks, ConfigurationIsAFinding) {
     EXPECT_EQ(bad.status, CheckStatus::fail);
     EXPECT_THAT(bad.finding, HasSubstr("bad.toml"));
     EXPECT_EQ(check_configuration("/nowhere.toml", config).status, CheckStatus::fail);
+}
+
+TEST(ConfigurationChecks, WhatIsNamedAndNotThereIsSaid) {
+    const TemporaryFolder folder;
+    Config config;
+    EXPECT_TRUE(check_named_files(config).empty());
+    config.display.photos = folder.path().string();
+    config.scan_file = (folder / "table.scan").string();
+    EXPECT_TRUE(check_named_files(config).empty());
+    EXPECT_FALSE(std::filesystem::exists(config.scan_file)) << "only looked at";
+    config.display.photos = "/nowhere/photos";
+    config.display.model = "/nowhere/ball.obj";
+    config.scan_file = "/nowhere/table.scan";
+    config.object_file = "/nowhere/cup.scan";
+    config.areas_file = (folder / "areas.toml").string();
+    std::ofstream(config.areas_file) << "area = 3\n";
+    const std::vector<CheckLine> lines = check_named_files(config);
+    std::string all;
+    for (const CheckLine& line : lines) {
+        EXPECT_EQ(line.status, CheckStatus::fail);
+        EXPECT_FALSE(line.advice.empty());
+        all += line.finding + '\n';
+    }
+    EXPECT_EQ(lines.size(), 5U) << all;
+    EXPECT_THAT(all,
+                AllOf(HasSubstr("display.photos: no folder /nowhere/photos"),
+                      HasSubstr("display.model: no mesh file /nowhere/ball.obj"),
+                      HasSubstr("scan.file: cannot write /nowhere/table.scan"),
+                      HasSubstr("objects.model: no file /nowhere/cup.scan"), HasSubstr("areas.toml:1: ")));
+}
+
+TEST(ConfigurationChecks, ANamedSourceStandsForTheCamera) {
+    Config config;
+    EXPECT_TRUE(check_named_source(config).empty());
+    config.sensor_uri = "sim:curved?hands=2";
+    ASSERT_EQ(check_named_source(config).size(), 1U);
+    EXPECT_EQ(check_named_source(config)[0].status, CheckStatus::ok);
+    EXPECT_THAT(check_named_source(config)[0].finding, HasSubstr("gives 640x480 at 30 Hz"));
+    for (const char* bad : {"sim:curvy", "/nowhere/table.oni"}) {
+        config.sensor_uri = bad;
+        ASSERT_EQ(check_named_source(config).size(), 1U);
+        EXPECT_EQ(check_named_source(config)[0].status, CheckStatus::fail);
+        EXPECT_THAT(check_named_source(config)[0].finding, HasSubstr(bad));
+    }
 }
 
 TEST(MachineChecks, OutputsWithTheirModesALineEach) {

@@ -10,6 +10,25 @@ Command parse(std::vector<const char*> words) {
     return parse_command_line(static_cast<int>(words.size()), words.data());
 }
 
+TEST(CommandLine, ComplaintsAreForPeople) {
+    expect_error(
+        [] {
+            (void)parse({"run", "--pase", "live"});
+        },
+        ExitStatus::usage, testing::HasSubstr("not understood: --pase live; see touchstone --help"));
+    for (const char* frames : {"0", "-3", "many", "1e9"})
+        expect_error(
+            [&] {
+                (void)parse({"--frames", frames});
+            },
+            ExitStatus::usage, testing::HasSubstr(std::string(frames) + " is not a whole number from 1"));
+    expect_error(
+        [] {
+            (void)parse({"calibrate", "--frames", "20"});
+        },
+        ExitStatus::usage, testing::HasSubstr("not understood: --frames 20"));
+}
+
 TEST(CommandLine, NoSubCommandMeansRun) {
     const RunOptions plain = std::get<RunOptions>(parse({"--frames", "7", "--display", "headless"}));
     const RunOptions named = std::get<RunOptions>(parse({"run", "--frames", "7", "--display", "headless"}));

@@ -1,9 +1,12 @@
 #include "app/config.hpp"
 
+#include <cstdlib>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 
+#include "app/config_paths.hpp"
 #include "tests/support/expect_error.hpp"
 
 namespace touchstone {
@@ -85,6 +88,61 @@ TEST(Config, BadValuesAreNamedWithTheAllowedRange) {
 
 TEST(Config, BrokenTomlIsNamedWithItsLine) {
     expect_refused("[scan]\nframes = \n", HasSubstr("table.toml:2"));
+}
+
+TEST(Config, ATextWithoutQuotesIsShownWithThem) {
+    for (const char* value : {"table.scan", "/var/table.scan", "~/table.scan", "info"})
+        expect_refused(fmt::format("[scan]\nfile = {}  # where\n", value),
+                       AllOf(HasSubstr("table.toml:2: "),
+                             HasSubstr(fmt::format("; a text stands in quotes: file = \"{}\"", value))));
+    expect_refused("[scan]\nframes = = 2\n", testing::Not(HasSubstr("quotes")));
+    expect_refused("[scan]\nfile\n", testing::Not(HasSubstr("quotes")));
+}
+
+TEST(Config, AWordThatIsNoChoiceIsNamedWithThoseThereAre) {
+    expect_refused("[display]\nscene = \"photo\"\n",
+                   HasSubstr("table.toml:2: display.scene is one of \"paint\", \"particles\", \"mirror\", "
+                             "\"photos\", \"inspect\", \"attract\""));
+    expect_refused("[log]\nlevel = \"loud\"\n", HasSubstr("log.level is one of \"debug\", \"info\""));
+    expect_refused("[foreground]\nreconstruct = \"yes\"\n", HasSubstr("foreground.reconstruct is one of"));
+    expect_refused("[rendering]\nview = \"\"\n", HasSubstr("rendering.view is one of"));
+}
+
+class PathInConfig : public testing::Test {
+  protected:
+    void SetUp() override { unsetenv("STATE_DIRECTORY"); }
+    void TearDown() override { unsetenv("STATE_DIRECTORY"); }
+};
+
+TEST_F(PathInConfig, ARelativeOneLiesBesideTheFile) {
+    Config config;
+    parse_config(
+        "[sensor]\nuri = \"seq:../film\"\n[scan]\nfile = \"table.scan\"\n[display]\nphotos = \"/photos\"\n",
+        "/tables/one/table.toml", config);
+    EXPECT_EQ(config.scan_file, "/tables/one/table.scan");
+    EXPECT_EQ(config.sensor_uri, "seq:/tables/film");
+    EXPECT_EQ(config.display.photos, "/photos");
+    EXPECT_EQ(config.projector.file, "");
+    const auto here = std::filesystem::current_path();
+    EXPECT_EQ(path_in_config("table.toml", "a/b"), (here / "a/b").string());
+    EXPECT_EQ(path_in_config("in/table.toml", "a"), (here / "in/a").string());
+    EXPECT_EQ(sensor_uri_in_config("/x/t.toml", "table.oni"), "/x/table.oni");
+    EXPECT_EQ(sensor_uri_in_config("/x/t.toml", "sim:flat?truth=t.json"), "sim:flat?truth=t.json");
+    EXPECT_EQ(sensor_uri_in_config("/x/t.toml", ""), "");
+}
+
+TEST_F(PathInConfig, OfAServiceLiesWithWhatItKeeps) {
+    setenv("STATE_DIRECTORY", "/var/lib/touchstone:/var/lib/other", 1);
+    EXPECT_EQ(path_in_config("/etc/touchstone/touchstone.toml", "table.scan"),
+              "/var/lib/touchstone/table.scan");
+    EXPECT_EQ(path_in_config("/etc/touchstone/touchstone.toml", "/mnt/table.scan"), "/mnt/table.scan");
+}
+
+TEST_F(PathInConfig, TheHomeOfTheUser) {
+    const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
+    ASSERT_FALSE(home.empty());
+    EXPECT_EQ(path_in_config("/x/t.toml", "~/photos"), home + "/photos");
+    EXPECT_EQ(path_in_config("/x/t.toml", "~photos"), "/x/~photos");
 }
 
 TEST(Config, MissingFileIsNoInput) {

@@ -1,4 +1,6 @@
 #include <Eigen/Core>
+#include <array>
+#include <cstdio>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,6 +54,40 @@ TEST(Run, FramesEndsTheRunAndDashMeansStandardOutput) {
                                               "--frames", "3", "--display", "headless", "--events", "-"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(std::ranges::count(result.out, '\n'), 3);
+}
+
+/// What a user reads who has named everything in a file, started from another folder.
+TEST(Run, AConfigurationStandsForItselfAndTheLogSaysWhatComesOfIt) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "mine");
+    std::ofstream(folder / "mine/table.toml")
+        << "[sensor]\nuri = \"sim:flat?hands=0&seed=3\"\n[scan]\nfile = \"table.scan\"\n[volume]\nsize_vox = "
+           "64\n[tuio]\nport = 3444\n[areas]\nfile = \"areas.toml\"\n";
+    std::ofstream(folder / "mine/areas.toml")
+        << "[[area]]\nname = \"far\"\ncorners_mm = [[3000, 2000], [3200, 2000], [3200, 2200]]\n"
+           "[[area]]\nname = \"near\"\ncorners_mm = [[-100, -100], [100, -100], [0, 100]]\n";
+    const ProgramResult result =
+        run_program({TOUCHSTONE_PROGRAM, "--config", (folder / "mine/table.toml").string(), "--pace", "step",
+                     "--frames", "25", "--display", "headless"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "mine/table.scan"));
+    EXPECT_THAT(result.err, testing::HasSubstr("touches go to TUIO at 127.0.0.1:3444"));
+    EXPECT_THAT(result.err, testing::HasSubstr("the middle of area far lies outside the interactive area"));
+    EXPECT_THAT(result.err, testing::Not(testing::HasSubstr("area near lies")));
+    EXPECT_THAT(result.err, testing::HasSubstr("ended after 25 frames and 0 touches"));
+    const std::size_t at = result.err.find("interactive area: ");
+    ASSERT_NE(at, std::string::npos) << result.err;
+    float width_mm = 0.0F, height_mm = 0.0F;
+    std::array<Eigen::Vector2f, 3> corners;
+    ASSERT_EQ(std::sscanf(result.err.c_str() + at,
+                          "interactive area: %f x %f mm, corners_mm = [[%f, %f], [%f, %f], [%f, %f]",
+                          &width_mm, &height_mm, &corners[0].x(), &corners[0].y(), &corners[1].x(),
+                          &corners[1].y(), &corners[2].x(), &corners[2].y()),
+              8)
+        << result.err;
+    EXPECT_GT(width_mm, 200.0F);
+    EXPECT_NEAR((corners[1] - corners[0]).norm(), width_mm, 2.0F) << "written to the millimetre";
+    EXPECT_NEAR((corners[2] - corners[1]).norm(), height_mm, 2.0F);
 }
 
 TEST(Run, TheSameSeedGivesTheSameEvents) {

@@ -22,7 +22,7 @@ _touchstone() {
         run) words="$source --display --scene --events --maps --shots --print-config" ;;
         scan) words="$source --scan --mesh" ;;
         track) words="$source --trajectory --scan --mesh" ;;
-        calibrate) words="$source --method --display --json" ;;
+        calibrate) words="${source/--frames /} --method --display --json" ;;
         record) words="$camera --color" ;;
         bench) words="$source --moving --json --display" ;;
         check) words="--help --json --config" ;;

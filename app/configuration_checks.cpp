@@ -1,0 +1,84 @@
+#include "app/configuration_checks.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <functional>
+
+#include "app/areas_file.hpp"
+#include "platform/camera/sensor_models.hpp"
+#include "platform/mesh/mesh_file.hpp"
+#include "platform/system/atomic_file.hpp"
+
+namespace touchstone {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Adds a line where `look` throws.
+void add_fault(std::vector<CheckLine>& lines, const std::string& key, const std::string& advice,
+               const std::function<void()>& look) {
+    try {
+        look();
+    } catch (const Error& error) {
+        lines.push_back(
+            {"configuration", CheckStatus::fail, fmt::format("{}: {}", key, error.what()), advice});
+    }
+}
+
+void add_unwritable(std::vector<CheckLine>& lines, const std::string& key, const std::string& file) {
+    if (file.empty()) return;
+    add_fault(lines, key, "make the folder, or name another file; nothing is kept there as it is",
+              [&] { check_writable(file); });
+}
+
+void check_folder(const std::string& folder) {
+    std::error_code none;
+    if (!fs::is_directory(folder, none)) throw Error(ExitStatus::no_input, "no folder " + folder);
+}
+
+}  // namespace
+
+std::vector<CheckLine> check_named_files(const Config& config) {
+    std::vector<CheckLine> lines;
+    const std::string& models = config.sensor_models;
+    if (!models.empty())
+        add_fault(lines, "sensor.models", "mend or name another", [&] { (void)load_sensor_models(models); });
+    if (!config.display.photos.empty())
+        add_fault(lines, "display.photos", "make it, with PNG and JPEG in it, or leave the key out",
+                  [&] { check_folder(config.display.photos); });
+    if (!config.display.model.empty())
+        add_fault(lines, "display.model", "name another mesh, or leave the key out",
+                  [&] { (void)read_mesh_file(config.display.model, MeshDetail::look); });
+    std::error_code none;
+    if (!config.areas_file.empty() && fs::exists(config.areas_file, none))
+        add_fault(lines, "areas.file", "mend it; the table is one as it is",
+                  [&] { (void)load_areas(config.areas_file); });
+    if (!config.object_file.empty() && !fs::exists(config.object_file, none))
+        lines.push_back({"configuration", CheckStatus::fail, "objects.model: no file " + config.object_file,
+                         "touchstone track --scan makes one; or leave the key out"});
+    add_unwritable(lines, "scan.file", config.scan_file);
+    add_unwritable(lines, "areas.file", config.areas_file);
+    add_unwritable(lines, "touch.bias_file", config.bias_file);
+    add_unwritable(lines, "display.painting_file", config.display.painting_file);
+    add_unwritable(lines, "projector.file", config.projector.file);
+    return lines;
+}
+
+std::vector<CheckLine> check_named_source(const Config& config) {
+    const std::string& uri = config.sensor_uri;
+    if (uri.empty()) return {};
+    try {
+        const DepthCamera camera = DepthCamera::open(uri, std::nullopt, false, camera_setup(config));
+        return {{"sensor",
+                 CheckStatus::ok,
+                 fmt::format("{}, named by the configuration, gives {}x{} at {:.0f} Hz", uri,
+                             camera.intrinsics().width_px, camera.intrinsics().height_px, camera.rate_hz()),
+                 {}}};
+    } catch (const Error& error) {
+        return {{"sensor", CheckStatus::fail,
+                 fmt::format("{}, named by the configuration: {}", uri, error.what()),
+                 "mend sensor.uri, or leave it out for the camera that is plugged in"}};
+    }
+}
+
+}  // namespace touchstone
