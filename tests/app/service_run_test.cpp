@@ -42,7 +42,7 @@ TEST_F(ServiceRun, IsReadyOnceAFrameWentThroughAndFedByFrames) {
     const Messages start = socket_.read(60s, has("STATUS=live"));
     EXPECT_EQ(count(start, "READY=1"), 1);
     EXPECT_THAT(start, Contains("STATUS=scanning"));
-    const Messages later = socket_.read(10s, [](const Messages& m) { return count(m, "WATCHDOG=1") >= 3; });
+    const Messages later = socket_.read(60s, [](const Messages& m) { return count(m, "WATCHDOG=1") >= 3; });
     EXPECT_GE(count(later, "WATCHDOG=1"), 3);
     EXPECT_EQ(count(later, "READY=1"), 0);
     EXPECT_EQ(table.finish(SIGTERM).status, 0);
