@@ -1,15 +1,14 @@
 #include "app/area_keeper.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fmt/format.h>
-#include <numeric>
 #include <utility>
 
 #include "app/area_scenes.hpp"
 #include "app/areas_file.hpp"
 #include "app/displays.hpp"
+#include "pipeline/interactive_area.hpp"
 #include "platform/system/error.hpp"
 #include "platform/system/log.hpp"
 
@@ -17,12 +16,25 @@ namespace touchstone {
 
 namespace {
 
-const std::array<Eigen::Vector2f, 4> corners_uv{{{0.f, 0.f}, {1.f, 0.f}, {1.f, 1.f}, {0.f, 1.f}}};
 constexpr float moved_m = 1e-3f, turned_rad = 1e-3f;  // less is no knock
 
 bool is_elsewhere(const RigidTransform& before, const RigidTransform& after) {
     const RigidTransform T = before.inverse(Eigen::Isometry) * after;
     return T.translation().norm() > moved_m || Eigen::AngleAxisf(T.linear()).angle() > turned_rad;
+}
+
+/// Whether a place of the table, of a grid of some centimetres, is in it.
+bool reaches_into(const NamedArea& area, const InteractiveArea& table) {
+    constexpr int steps = 32;
+    const PlaneFrame plane = plane_frame(table);
+    for (int i = 0; i < steps * steps; ++i) {
+        const Eigen::Vector2f uv =
+            (Eigen::Vector2f(static_cast<float>(i % steps), static_cast<float>(i / steps)) +
+             Eigen::Vector2f(0.5f, 0.5f)) /
+            steps;
+        if (is_inside(area.corners_mm, place_mm(plane, point_on(table, uv)))) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -52,40 +64,30 @@ void AreaKeeper::load() {
 }
 
 void AreaKeeper::assign(const InteractionPipeline& pipeline, InteractionFrame& frame) {
-    if (frame.state == InteractionState::scanning) {
-        T_g_c_.reset();
-        is_told_ = false;
-    }
+    if (frame.state == InteractionState::scanning) T_g_c_.reset();
+    const bool is_live = frame.state == InteractionState::live;
+    if (!is_live) is_told_ = false;
     if (!pipeline.area()) return;
-    if (frame.state == InteractionState::live && !std::exchange(is_told_, true))
-        tell_places(*pipeline.area());
+    if (is_live && !areas().empty()) follow_camera(*pipeline.area(), pipeline.background()->T_g_c());
+    if (is_live && !std::exchange(is_told_, true)) tell_places(*pipeline.area());
     if (areas().empty()) return;
-    if (frame.state == InteractionState::live)
-        follow_camera(*pipeline.area(), pipeline.background()->T_g_c());
     assignment_.assign(*pipeline.area(), frame.touches, frame.hovers);
 }
 
-/// Where the white frame lies, in the numbers of the areas' file, and what lies beside it.
+/// Where the white frame lies, in the numbers of the areas' file, and which areas do not reach into it.
 void AreaKeeper::tell_places(const InteractiveArea& table) const {
     const PlaneFrame plane = plane_frame(table);
-    Polygon frame;
     std::string corners;
-    for (const Eigen::Vector2f& uv : corners_uv) {
-        frame.push_back(
-            place_mm(plane, table.origin_c_m + uv.x() * table.axis_u_c_m + uv.y() * table.axis_v_c_m));
-        corners += fmt::format("{}[{:.0f}, {:.0f}]", corners.empty() ? "" : ", ", frame.back().x(),
-                               frame.back().y());
+    for (const Eigen::Vector2f& uv : area_corners_uv) {
+        const Eigen::Vector2f corner_mm = place_mm(plane, point_on(table, uv));
+        corners +=
+            fmt::format("{}[{:.0f}, {:.0f}]", corners.empty() ? "" : ", ", corner_mm.x(), corner_mm.y());
     }
     log_info("interactive area: {:.0f} x {:.0f} mm, corners_mm = [{}]", 1000.f * table.axis_u_c_m.norm(),
              1000.f * table.axis_v_c_m.norm(), corners);
-    for (const NamedArea& area : areas()) {
-        const Eigen::Vector2f middle =
-            std::accumulate(area.corners_mm.begin(), area.corners_mm.end(), Eigen::Vector2f(0.f, 0.f)) /
-            static_cast<float>(area.corners_mm.size());
-        if (!is_inside(frame, middle))
-            log_warning("the middle of area {} lies outside the interactive area: no touch is promised there",
-                        area.name);
-    }
+    for (const NamedArea& area : areas())
+        if (!reaches_into(area, table))
+            log_warning("area {} lies outside the interactive area: no touch is promised there", area.name);
 }
 
 void AreaKeeper::follow_camera(const InteractiveArea& table, const RigidTransform& T_g_c) {
@@ -126,8 +128,7 @@ std::vector<NamedArea> AreaKeeper::areas_of(std::span<const AreaDraft> drafts,
         area.name = free_name(kept);
         kept.back().name = area.name;
         for (const Eigen::Vector2f& uv : draft.corners_uv)
-            area.corners_mm.push_back(
-                place_mm(plane, table.origin_c_m + uv.x() * table.axis_u_c_m + uv.y() * table.axis_v_c_m));
+            area.corners_mm.push_back(place_mm(plane, point_on(table, uv)));
         if (const std::string fault = fault_of(area.corners_mm); !fault.empty())
             throw Error(ExitStatus::configuration, fault);
     }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <limits>
 #include <sstream>
 
 #include "app/command_arguments.hpp"
@@ -15,22 +16,19 @@ namespace {
 const CLI::Validator not_empty(
     [](const std::string& text) { return text.empty() ? std::string("needs a name") : std::string(); }, "");
 
-const CLI::Validator positive(
-    [](const std::string& text) {
-        int number = 0;
-        return CLI::detail::lexical_cast(text, number) && number > 0 ? std::string()
-                                                                     : text + " is not a whole number from 1";
-    },
-    "");
+template <class Number>
+CLI::Validator number_from(Number least, Number most, const std::string& what) {
+    const auto complaint = [=](const std::string& text) {
+        Number number{};
+        const bool is_one = CLI::detail::lexical_cast(text, number) && number >= least && number <= most;
+        return is_one ? std::string() : text + " is not " + what;
+    };
+    return {complaint, ""};
+}
 
-const CLI::Validator positive_seconds(
-    [](const std::string& text) {
-        double seconds = 0.0;
-        return CLI::detail::lexical_cast(text, seconds) && seconds > 0.0 && seconds <= 1e9
-                   ? std::string()
-                   : text + " is not a number of seconds above 0";
-    },
-    "");
+const CLI::Validator positive = number_from(1, std::numeric_limits<int>::max(), "a whole number from 1");
+const CLI::Validator positive_seconds = number_from(1e-3, 1e9, "a number of seconds above 0");
+const CLI::Validator volume_side = number_from(0.2f, 10.0f, "a number of metres from 0.2 to 10");
 
 const CLI::Validator volume_size(
     [](const std::string& text) {
@@ -39,16 +37,6 @@ const CLI::Validator volume_size(
         return number && voxels >= 64 && voxels <= 1024 && voxels % 8 == 0
                    ? std::string()
                    : text + " is not a multiple of 8 from 64 to 1024";
-    },
-    "");
-
-const CLI::Validator volume_side(
-    [](const std::string& text) {
-        float side_m = 0.0f;
-        const bool number = CLI::detail::lexical_cast(text, side_m);
-        return number && side_m >= 0.2f && side_m <= 10.0f
-                   ? std::string()
-                   : text + " is not a number of metres from 0.2 to 10";
     },
     "");
 

@@ -12,28 +12,39 @@ class KeyList {
   public:
     void section(std::string name) { section_ = std::move(name); }
     void add(const std::string& name, bool& value, const std::string& meaning) {
-        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::any, {}});
+        push(name, &value, meaning);
     }
     void add(const std::string& name, std::string& value, const std::string& meaning) {
-        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::any, {}});
+        push(name, &value, meaning);
     }
     void add_path(const std::string& name, std::string& value, const std::string& meaning) {
-        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::path, {}});
+        push(name, &value, meaning).text = ConfigKey::Text::path;
+    }
+    void add_sensor_uri(const std::string& name, std::string& value, const std::string& meaning) {
+        push(name, &value, meaning).text = ConfigKey::Text::sensor_uri;
     }
     void add_choice(const std::string& name, std::string& value, std::vector<std::string> choices,
                     const std::string& meaning) {
-        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::any, std::move(choices)});
-    }
-    void add_sensor_uri(const std::string& name, std::string& value, const std::string& meaning) {
-        keys_.push_back({section_, name, &value, 0, 0, meaning, ConfigKey::Text::sensor_uri, {}});
+        push(name, &value, meaning).choices = std::move(choices);
     }
     template <class Number>
     void add(const std::string& name, Number& value, double min, double max, const std::string& meaning) {
-        keys_.push_back({section_, name, &value, min, max, meaning, ConfigKey::Text::any, {}});
+        ConfigKey& key = push(name, &value, meaning);
+        key.min = min;
+        key.max = max;
     }
     std::vector<ConfigKey> take() { return std::move(keys_); }
 
   private:
+    ConfigKey& push(const std::string& name, ConfigKey::Value value, const std::string& meaning) {
+        ConfigKey& key = keys_.emplace_back();
+        key.section = section_;
+        key.name = name;
+        key.value = value;
+        key.meaning = meaning;
+        return key;
+    }
+
     std::string section_;
     std::vector<ConfigKey> keys_;
 };

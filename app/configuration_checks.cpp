@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <functional>
+#include <unistd.h>
 
 #include "app/areas_file.hpp"
+#include "app/machine_checks.hpp"
 #include "platform/camera/sensor_models.hpp"
 #include "platform/mesh/mesh_file.hpp"
 #include "platform/system/atomic_file.hpp"
@@ -29,6 +31,17 @@ void add_unwritable(std::vector<CheckLine>& lines, const std::string& key, const
     if (file.empty()) return;
     add_fault(lines, key, "make the folder, or name another file; nothing is kept there as it is",
               [&] { check_writable(file); });
+}
+
+/// A folder that is made when something is to be written into it.
+void add_unmakeable(std::vector<CheckLine>& lines, const std::string& key, const std::string& folder) {
+    if (folder.empty()) return;
+    add_fault(lines, key, "name another folder; nothing is written there as it is", [&] {
+        const fs::path place = existing_part(folder);
+        std::error_code none;
+        if (!fs::is_directory(place, none) || access(place.c_str(), W_OK | X_OK) != 0)
+            throw Error(ExitStatus::io_error, "no folder " + folder + " can be made in " + place.string());
+    });
 }
 
 void check_folder(const std::string& folder) {
@@ -56,6 +69,8 @@ std::vector<CheckLine> check_named_files(const Config& config) {
     if (!config.object_file.empty() && !fs::exists(config.object_file, none))
         lines.push_back({"configuration", CheckStatus::fail, "objects.model: no file " + config.object_file,
                          "touchstone track --scan makes one; or leave the key out"});
+    add_unmakeable(lines, "objects.export_dir", config.interaction.background.objects.export_dir);
+    add_unmakeable(lines, "health.fault_dir", config.fault_reports.dir);
     add_unwritable(lines, "scan.file", config.scan_file);
     add_unwritable(lines, "areas.file", config.areas_file);
     add_unwritable(lines, "touch.bias_file", config.bias_file);

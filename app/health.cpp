@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
+#include "app/frame_health.hpp"
 #include "platform/system/log.hpp"
 #include "platform/system/process_memory.hpp"
 
@@ -45,8 +46,12 @@ std::string health_line(const HealthFigures& before, const HealthFigures& now, d
 
 Health::Health(const HealthConfig& config, Time now) : read_at_(now), line_at_(now + between_lines) {
     // A counter that is not there until something happens cannot be watched.
-    for (const char* kind : {"silent", "frozen", "blind", "torn", "lost", "clock"}) figures_.faults[kind] = 0;
+    for (const CameraFault& fault : {silent_camera, frozen_camera, blind_camera, torn_camera})
+        figures_.faults[std::string(fault.word)] = 0;
+    for (const char* kind : {"lost", "clock"}) figures_.faults[kind] = 0;
     for (const char* what : {"stream", "camera", "usb"}) figures_.restarts[what] = 0;
+    for (const char* what : {"scan", "touch bias", "painting", "projector's calibration"})
+        figures_.unsaved[what] = 0;
     if (config.port == 0) return;
     page_.emplace(config.port);
     log_info("health: http://127.0.0.1:{}/metrics", page_->port());

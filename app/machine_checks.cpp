@@ -127,10 +127,16 @@ CheckLine check_service(const fs::path& root) {
             "toolchain/package makes a package with one; README.md, As a service, has the three commands"};
 }
 
-CheckLine check_disk(const fs::path& folder) {
+fs::path existing_part(const fs::path& folder) {
     std::error_code code;
     fs::path place = folder.empty() ? fs::current_path(code) : fs::absolute(folder, code);
     while (!fs::exists(place, code) && place.has_relative_path()) place = place.parent_path();
+    return place;
+}
+
+CheckLine check_disk(const fs::path& folder) {
+    std::error_code code;
+    const fs::path place = existing_part(folder);
     const fs::space_info space = fs::space(place, code);
     if (code) return {"disk", CheckStatus::warn, place.string() + ": " + code.message(), "mount it"};
     const std::string finding = fmt::format("{} MB free at {}", space.available / mega, place.string());

@@ -33,6 +33,9 @@ CheckLine check_uinput(const std::filesystem::path& node = uinput_node);
 /// Whether systemd starts touchstone by itself.
 CheckLine check_service(const std::filesystem::path& root = "/");
 
+/// The folder, or the nearest one above it that is there.
+std::filesystem::path existing_part(const std::filesystem::path& folder);
+
 /// Room for kernel cache and scan.
 CheckLine check_disk(const std::filesystem::path& folder);
 

@@ -25,35 +25,35 @@ class SharedChannel : public OscChannel {
     std::shared_ptr<OscChannel> channel_;
 };
 
-/// For people: every receiver that the configuration names.
-std::string destinations(const RunOptions& options) {
-    const Config& config = options.config;
-    std::vector<std::string> all;
-    if (config.tuio.enabled) all.push_back(fmt::format("TUIO at {}:{}", config.tuio.host, config.tuio.port));
-    if (config.tuio.enabled && config.tuio.hover_port != 0)
-        all.push_back(fmt::format("TUIO with hovers at {}:{}", config.tuio.host, config.tuio.hover_port));
-    if (config.web_socket_enabled)
-        all.push_back(fmt::format("ws://{}:{}", config.web_socket.host, config.web_socket.port));
-    if (config.touch_screen_enabled) all.emplace_back("a touch screen of this machine");
-    if (options.events_file)
-        all.push_back(*options.events_file == "-" ? "standard output" : *options.events_file);
-    return all.empty() ? "the display only" : fmt::format("{}", fmt::join(all, ", "));
-}
-
 }  // namespace
 
 TouchOutputs::TouchOutputs(const RunOptions& options, std::span<const NamedArea> areas)
     : source_(options.config.tuio.source) {
     const Config& config = options.config;
     const TuioConfig& tuio = config.tuio;
-    if (options.events_file) of_table_.push_back(std::make_unique<EventLog>(*options.events_file));
-    if (config.touch_screen_enabled) of_table_.push_back(std::make_unique<UinputSink>(config.touch_screen));
-    if (tuio.enabled) ports_.push_back({std::make_shared<UdpChannel>(tuio.host, tuio.port), {}});
-    if (tuio.enabled && tuio.hover_port != 0)
+    std::vector<std::string> told;
+    if (options.events_file) {
+        of_table_.push_back(std::make_unique<EventLog>(*options.events_file));
+        told.push_back(*options.events_file == "-" ? "standard output" : *options.events_file);
+    }
+    if (config.touch_screen_enabled) {
+        of_table_.push_back(std::make_unique<UinputSink>(config.touch_screen));
+        told.emplace_back("a touch screen of this machine");
+    }
+    if (tuio.enabled) {
+        ports_.push_back({std::make_shared<UdpChannel>(tuio.host, tuio.port), {}});
+        told.push_back(fmt::format("TUIO at {}:{}", tuio.host, tuio.port));
+    }
+    if (tuio.enabled && tuio.hover_port != 0) {
         ports_.push_back({std::make_shared<UdpChannel>(tuio.host, tuio.hover_port), tuio.hover_height_mm});
-    if (config.web_socket_enabled)
+        told.push_back(fmt::format("TUIO with hovers at {}:{}", tuio.host, tuio.hover_port));
+    }
+    if (config.web_socket_enabled) {
         ports_.push_back({std::make_shared<WebSocketChannel>(config.web_socket), {}});
-    log_info("touches go to {}", destinations(options));
+        told.push_back(fmt::format("ws://{}:{}", config.web_socket.host, config.web_socket.port));
+    }
+    log_info("touches go to {}",
+             told.empty() ? "the display only" : fmt::format("{}", fmt::join(told, ", ")));
     set_areas(areas);
 }
 

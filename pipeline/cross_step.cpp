@@ -4,6 +4,7 @@
 #include <array>
 #include <fmt/core.h>
 
+#include "pipeline/interactive_area.hpp"
 #include "pipeline/table_picture.hpp"
 
 namespace touchstone {
@@ -18,7 +19,7 @@ constexpr std::array<std::array<float, 2>, crosses> places_uv{
 
 Vector3f place_c_m(const InteractiveArea& area, int cross) {
     const auto& [u, v] = places_uv[static_cast<std::size_t>(cross)];
-    return area.origin_c_m + u * area.axis_u_c_m + v * area.axis_v_c_m;
+    return point_on(area, {u, v});
 }
 
 }  // namespace

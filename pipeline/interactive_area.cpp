@@ -193,10 +193,15 @@ InteractiveArea whole_view_area(const SurfacePrediction& background, const Intri
             Eigen::Vector3f(0.0f, depth_m * height, 0.0f)};
 }
 
+Eigen::Vector3f point_on(const InteractiveArea& area, const Eigen::Vector2f& uv) {
+    return area.origin_c_m + uv.x() * area.axis_u_c_m + uv.y() * area.axis_v_c_m;
+}
+
 std::array<Eigen::Vector2f, 4> area_corners_px(const InteractiveArea& area, const Intrinsics& k) {
-    return {project(k, area.origin_c_m), project(k, area.origin_c_m + area.axis_u_c_m),
-            project(k, area.origin_c_m + area.axis_u_c_m + area.axis_v_c_m),
-            project(k, area.origin_c_m + area.axis_v_c_m)};
+    std::array<Eigen::Vector2f, 4> corners_px;
+    std::ranges::transform(area_corners_uv, corners_px.begin(),
+                           [&](const Eigen::Vector2f& uv) { return project(k, point_on(area, uv)); });
+    return corners_px;
 }
 
 }  // namespace touchstone

@@ -38,6 +38,12 @@ std::optional<InteractiveArea> fit_interactive_area(const SurfacePrediction& bac
 /// scanned.
 InteractiveArea whole_view_area(const SurfacePrediction& background, const Intrinsics& intrinsics);
 
+/// The inverse of area_uv(), camera frame.
+Eigen::Vector3f point_on(const InteractiveArea& area, const Eigen::Vector2f& uv);
+
+/// Around an area, from its origin along u.
+inline const std::array<Eigen::Vector2f, 4> area_corners_uv{{{0.f, 0.f}, {1.f, 0.f}, {1.f, 1.f}, {0.f, 1.f}}};
+
 /// Corners in the depth picture, around the area.
 std::array<Eigen::Vector2f, 4> area_corners_px(const InteractiveArea& area, const Intrinsics& intrinsics);
 

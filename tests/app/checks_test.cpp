@@ -125,12 +125,15 @@ TEST(ConfigurationChecks, WhatIsNamedAndNotThereIsSaid) {
     EXPECT_TRUE(check_named_files(config).empty());
     config.display.photos = folder.path().string();
     config.scan_file = (folder / "table.scan").string();
+    config.fault_reports.dir = (folder / "made/when/needed").string();
     EXPECT_TRUE(check_named_files(config).empty());
     EXPECT_FALSE(std::filesystem::exists(config.scan_file)) << "only looked at";
     config.display.photos = "/nowhere/photos";
     config.display.model = "/nowhere/ball.obj";
     config.scan_file = "/nowhere/table.scan";
     config.object_file = "/nowhere/cup.scan";
+    std::ofstream(folder / "file") << "no folder";
+    config.fault_reports.dir = (folder / "file/faults").string();
     config.areas_file = (folder / "areas.toml").string();
     std::ofstream(config.areas_file) << "area = 3\n";
     const std::vector<CheckLine> lines = check_named_files(config);
@@ -140,12 +143,12 @@ TEST(ConfigurationChecks, WhatIsNamedAndNotThereIsSaid) {
         EXPECT_FALSE(line.advice.empty());
         all += line.finding + '\n';
     }
-    EXPECT_EQ(lines.size(), 5U) << all;
-    EXPECT_THAT(all,
-                AllOf(HasSubstr("display.photos: no folder /nowhere/photos"),
-                      HasSubstr("display.model: no mesh file /nowhere/ball.obj"),
-                      HasSubstr("scan.file: cannot write /nowhere/table.scan"),
-                      HasSubstr("objects.model: no file /nowhere/cup.scan"), HasSubstr("areas.toml:1: ")));
+    EXPECT_EQ(lines.size(), 6U) << all;
+    EXPECT_THAT(all, AllOf(HasSubstr("display.photos: no folder /nowhere/photos"),
+                           HasSubstr("display.model: no mesh file /nowhere/ball.obj"),
+                           HasSubstr("scan.file: cannot write /nowhere/table.scan"),
+                           HasSubstr("objects.model: no file /nowhere/cup.scan"), HasSubstr("areas.toml:1: "),
+                           HasSubstr("health.fault_dir: no folder")));
 }
 
 TEST(ConfigurationChecks, ANamedSourceStandsForTheCamera) {

@@ -50,6 +50,16 @@ TEST(Health, ReadsTheMachineOnceAMinuteWithoutAPage) {
     EXPECT_EQ(health.figures().state, "live");
 }
 
+TEST(Health, WhatMayHappenIsCountedFromTheStart) {
+    const Health health({}, start);
+    for (const char* kind : {"silent", "frozen", "blind", "torn", "lost", "clock"})
+        EXPECT_EQ(health.figures().faults.at(kind), 0U) << kind;
+    for (const char* what : {"stream", "camera", "usb"})
+        EXPECT_EQ(health.figures().restarts.at(what), 0U) << what;
+    for (const char* what : {"scan", "touch bias", "painting", "projector's calibration"})
+        EXPECT_EQ(health.figures().unsaved.at(what), 0U) << what;
+}
+
 TEST(Health, TheLineTellsTheMinuteNotTheWhole) {
     HealthFigures before, now;
     before.frames = 1000;
