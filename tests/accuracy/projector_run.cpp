@@ -159,9 +159,9 @@ void save_pictures(const ProjectorRun& run, const std::filesystem::path& config_
     write_png(folder / (name + "-seen.png"), Image8{640, 480, 3, seen.color_rgb});
 }
 
-/// "calibrated in 312 frames" of the log.
+/// "looked at 312 frames" of the log.
 int frames_said(const std::string& log) {
-    constexpr std::string_view words = "calibrated in ";
+    constexpr std::string_view words = "looked at ";
     const std::size_t at = log.find(words);
     return at == std::string::npos ? 0 : std::stoi(log.substr(at + words.size()));
 }
