@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/configured_camera.hpp"
 #include "app/frame_reading.hpp"
 #include "app/presentation.hpp"
 #include "app/progress_line.hpp"
@@ -35,9 +36,8 @@ class Bench {
     Bench(const BenchOptions& options, TerminationSignals& signals)
         : options_(options), signals_(&signals), device_(device_config(options.config)) {
         run_self_test(device_);
-        camera_.emplace(DepthCamera::open(options.config.sensor_uri, options.pace,
-                                          options.moving || wants_color(options.config),
-                                          camera_setup(options.config)));
+        camera_.emplace(
+            configured_camera(options.config, options.pace, options.moving || wants_color(options.config)));
         log_info("reading {}, computing on {}", camera_->name(), device_.name());
         if (options.display) presentation_.emplace(shown_as(options));
     }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/configured_camera.hpp"
 #include "app/displays.hpp"
 #include "app/frame_reading.hpp"
 #include "app/progress_line.hpp"
@@ -29,8 +30,7 @@ class Calibration {
           screen_(*display_) {
         run_self_test(device_);
         const bool by_light = options.method == CalibrationMethod::graycode;
-        camera_.emplace(DepthCamera::open(options.config.sensor_uri, options.pace, by_light,
-                                          camera_setup(options.config)));
+        camera_.emplace(configured_camera(options.config, options.pace, by_light));
         if (by_light && !camera_->has_color())
             throw Error(ExitStatus::unavailable,
                         camera_->name() + " has no colour picture to see the stripes in: use --method touch");

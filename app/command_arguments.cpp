@@ -22,7 +22,10 @@ std::optional<std::string> if_given(const std::string& text) {
 Config to_config(const SourceArguments& arguments) {
     Config config;
     if (!arguments.config_file.empty()) load_config(arguments.config_file, config);
-    if (!arguments.sensor.empty()) config.sensor_uri = arguments.sensor;
+    if (!arguments.sensor.empty()) {
+        config.sensor_uri = arguments.sensor;
+        config.sensor_named_in.clear();
+    }
     BackgroundConfig& background = config.interaction.background;
     if (arguments.voxels) background.volume.size_vox = *arguments.voxels;
     if (arguments.side_m) {

@@ -128,6 +128,7 @@ void parse_config(const std::string& text, const std::string& file, Config& conf
         }
         take_section(section, *node.as_table(), file, keys);
     }
+    if (root.at_path("sensor.uri")) config.sensor_named_in = file;
 }
 
 void load_config(const std::string& file, Config& config) {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "app/areas_file.hpp"
+#include "app/configured_camera.hpp"
 #include "app/machine_checks.hpp"
 #include "platform/camera/sensor_models.hpp"
 #include "platform/mesh/mesh_file.hpp"
@@ -83,7 +84,7 @@ std::vector<CheckLine> check_named_source(const Config& config) {
     const std::string& uri = config.sensor_uri;
     if (uri.empty()) return {};
     try {
-        const DepthCamera camera = DepthCamera::open(uri, std::nullopt, false, camera_setup(config));
+        const DepthCamera camera = configured_camera(config, std::nullopt, false);
         return {{"sensor",
                  CheckStatus::ok,
                  fmt::format("{}, named by the configuration, gives {}x{} at {:.0f} Hz", uri,

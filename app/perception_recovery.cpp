@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/configured_camera.hpp"
 #include "app/perception.hpp"
 #include "platform/system/log.hpp"
 #include "platform/usb/depth_cameras.hpp"
@@ -46,8 +47,7 @@ void reset_on_usb() {
 
 void Perception::open_camera() {
     const bool with_color = wants_color(options_.config);
-    camera_ = DepthCamera::open(options_.config.sensor_uri, options_.pace, with_color,
-                                camera_setup(options_.config));
+    camera_ = configured_camera(options_.config, options_.pace, with_color);
     if (with_color && !camera_->has_color())
         log_warning("{} gives no colours: surfaces are shown shaded", camera_->name());
     const std::chrono::milliseconds three_frames(std::lround(3000.0 / camera_->rate_hz()));

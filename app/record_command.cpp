@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "app/configured_camera.hpp"
 #include "app/frame_reading.hpp"
 #include "app/progress_line.hpp"
 #include "platform/system/atomic_file.hpp"
@@ -67,8 +68,7 @@ Recorded read_frames(DepthCamera& camera, const RecordOptions& options, const st
 }
 
 Recorded record(const RecordOptions& options, const std::string& file, TerminationSignals& signals) {
-    DepthCamera camera = DepthCamera::open(options.config.sensor_uri, options.pace, options.with_color,
-                                           camera_setup(options.config));
+    DepthCamera camera = configured_camera(options.config, options.pace, options.with_color);
     log_info("reading {}", camera.name());
     if (options.with_color && !camera.has_color())
         log_warning("{} has no colour: only depth is recorded", camera.name());

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 
+#include "app/configured_camera.hpp"
 #include "app/frame_reading.hpp"
 #include "app/progress_line.hpp"
 #include "pipeline/mesh_file.hpp"
@@ -78,8 +79,7 @@ struct ScanResult {
 ScanResult scan_surroundings(const ScanOptions& options, TerminationSignals& signals) {
     const Device device(device_config(options.config));
     run_self_test(device);
-    DepthCamera camera =
-        DepthCamera::open(options.config.sensor_uri, options.pace, false, camera_setup(options.config));
+    DepthCamera camera = configured_camera(options.config, options.pace, false);
     log_info("reading {}, computing on {}", camera.name(), device.name());
     FixedScan scan(device, interaction_config(options.config, camera.model()), camera.intrinsics());
     const int wanted =
@@ -111,11 +111,12 @@ ExitStatus scan_command(const ScanOptions& options) {
     const ScanResult result = scan_surroundings(options, signals);
     const VolumeSnapshot& volume = result.scan.volume;
     save_scan(options.scan_file, result.scan);
-    std::string summary = fmt::format(
-        "{} frames, {} bricks of {:.1f} mm voxels, {:.1f} MB; {}: {:.1f} MB", result.frames,
-        volume.bricks.size(), 1000.0f * volume.config.side_m / static_cast<float>(volume.config.size_vox),
-        static_cast<double>(volume.voxels.size()) * 4e-6, options.scan_file,
-        static_cast<double>(std::filesystem::file_size(options.scan_file)) / 1e6);
+    std::string summary =
+        fmt::format("{} frames, {:.1f} million voxels of {:.1f} mm, {:.1f} MB; {}: {:.1f} MB", result.frames,
+                    static_cast<double>(volume.voxels.size()) * 1e-6,
+                    1000.0f * volume.config.side_m / static_cast<float>(volume.config.size_vox),
+                    static_cast<double>(volume.voxels.size()) * 4e-6, options.scan_file,
+                    static_cast<double>(std::filesystem::file_size(options.scan_file)) / 1e6);
     if (options.mesh_file) {
         const SurfaceMesh mesh = extract_surface(volume);
         write_mesh(*options.mesh_file, mesh);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fstream>
 
+#include "app/configured_camera.hpp"
 #include "app/frame_reading.hpp"
 #include "app/progress_line.hpp"
 #include "pipeline/mesh_file.hpp"
@@ -78,8 +79,7 @@ class TrackSession {
     TrackSession(const TrackOptions& options, TerminationSignals& signals)
         : options_(options), signals_(&signals), device_(device_config(options.config)) {
         run_self_test(device_);
-        camera_.emplace(
-            DepthCamera::open(options.config.sensor_uri, options.pace, true, camera_setup(options.config)));
+        camera_.emplace(configured_camera(options.config, options.pace, true));
         if (options.trajectory_file) trajectory_.emplace(*options.trajectory_file);
         log_info("reading {}, computing on {}", camera_->name(), device_.name());
     }
@@ -137,11 +137,11 @@ void write_results(const TrackOptions& options, const TrackSession& session) {
             *options.scan_file,
             {volume, session.intrinsics(), reconstruction.T_g_c(), {keyframes.begin(), keyframes.end()}});
     }
-    std::string summary =
-        fmt::format("{} frames: {} fused, {} lost; {} bricks of {:.1f} mm voxels, {:.1f} MB",
-                    session.tally().frames, session.tally().fused, session.tally().lost, volume.bricks.size(),
-                    1000.0f * options.side_m / static_cast<float>(options.voxels),
-                    static_cast<double>(reconstruction.volume().memory_bytes()) / 1e6);
+    std::string summary = fmt::format(
+        "{} frames: {} fused, {} lost; {:.1f} million voxels of {:.1f} mm, {:.1f} MB", session.tally().frames,
+        session.tally().fused, session.tally().lost, static_cast<double>(volume.voxels.size()) * 1e-6,
+        1000.0f * options.side_m / static_cast<float>(options.voxels),
+        static_cast<double>(reconstruction.volume().memory_bytes()) / 1e6);
     if (options.mesh_file) {
         SurfaceMesh mesh = extract_surface(volume);
         // An object is one piece: what hands left in the air beside it is not of it.

@@ -5,6 +5,12 @@
 
 namespace touchstone {
 
+namespace {
+
+constexpr float changed_inlier_share = 0.85f;  // visitors and what they put down hide less
+
+}  // namespace
+
 CameraVerdict InteractionPipeline::judge_camera(const Foreground& foreground) {
     const StageTimer timer(times_, "camera watch");
     return watch_.judge(live_, background_->prediction(), foreground.mask);
@@ -38,9 +44,14 @@ void InteractionPipeline::align(const DepthView& view, InteractionFrame& frame) 
         return;
     }
     const Displacement step = displacement(background_->T_g_c().inverse() * aligning_->T_g_c());
+    const float inlier_share = aligning_->tracking().inlier_share;
     log_info("{}: moved by {:.1f} mm and {:.2f} degrees, {:.0f} % of the view fits",
              at_start ? "the saved scan fits" : "realigned", 1000.0f * step.shift_m, step.turn_deg,
-             100.0f * aligning_->tracking().inlier_share);
+             100.0f * inlier_share);
+    if (at_start && inlier_share < changed_inlier_share)
+        log_warning(
+            "what does not fit is taken for people and things on the table; where the room was changed, "
+            "take a new scan (operator's panel)");
     take_pose(aligning_->T_g_c());
 }
 

@@ -28,8 +28,9 @@ void InteractionPipeline::scan(const DepthView& view, InteractionFrame& frame) {
     if (scanned_frames_ < config_.scan_frames) return;
     keep_what_is_still();
     const TsdfVolume& volume = background_->volume();
-    log_info("scanned: {} bricks of {:.1f} mm voxels, {:.0f} MB", volume.bricks_in_use(),
-             1000.0f * volume.params().voxel_m, static_cast<double>(volume.memory_bytes()) / 1e6);
+    log_info("scanned: {:.1f} million voxels of {:.1f} mm, {:.0f} MB",
+             volume.bricks_in_use() * BRICK_VOXELS * 1e-6, 1000.0f * volume.params().voxel_m,
+             static_cast<double>(volume.memory_bytes()) / 1e6);
     keyframes_.add_if_new(make_small_picture(view), background_->T_g_c());
     scan_reason_.clear();
     fit_area();

@@ -12,6 +12,7 @@ using test::ProgramResult;
 using test::run_program;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 ProgramResult touchstone_run(std::vector<std::string> arguments,
                              const test::RunningProgram::Environment& environment = {}) {
@@ -86,6 +87,16 @@ TEST(BadInput, ATouchScreenThatCannotBeMade) {
 TEST(BadInput, UnknownSceneOrKeyOfTheSimulator) {
     expect_refused(touchstone_run({"--sensor", "sim:moon"}), 64, HasSubstr("moon"));
     expect_refused(touchstone_run({"--sensor", "sim:flat?hands=9"}), 64, HasSubstr("hands"));
+}
+
+TEST(BadInput, SourceInTheConfigurationThatIsNone) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "table.toml").string();
+    std::ofstream(file) << "[sensor]\nuri = \"sim:moon\"\n";
+    expect_refused(touchstone_run({"--config", file}), 78,
+                   AllOf(HasSubstr(file), HasSubstr("sensor.uri: "), HasSubstr("moon")));
+    expect_refused(touchstone_run({"--config", file, "--sensor", "sim:sun"}), 64,
+                   AllOf(HasSubstr("sun"), Not(HasSubstr(file))));
 }
 
 TEST(BadInput, NoOpenClDevice) {

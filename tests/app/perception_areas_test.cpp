@@ -15,6 +15,7 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 const std::vector<Vector2f> left_half{{0.02f, 0.02f}, {0.48f, 0.02f}, {0.48f, 0.98f}, {0.02f, 0.98f}};
@@ -218,13 +219,19 @@ TEST_F(PerceptionAreas, AfterAKnockWhileItWasOffTheyLieWhereTheyLay) {
     {
         Perception perception(options_);
         step_until(perception, "live");
-        before = corners_g_m(ask(perception, {{"", "", left_half}}), 0);
+        const std::vector<AreaDraft> drafts{
+            {"", "", left_half}, {"", "", {{0.f, 0.3f}, {0.045f, 0.3f}, {0.045f, 0.5f}, {0.f, 0.5f}}}};
+        before = corners_g_m(ask(perception, drafts), 0);
         perception.follow();
     }
-    options_.config.sensor_uri += "&knock_s=0&knock_deg=3&knock_mm=20";
+    options_.config.sensor_uri += "&knock_s=0&knock_deg=8&knock_mm=20";
     Perception perception(options_);
+    testing::internal::CaptureStderr();
     const TableFrame after = step_until(perception, "live");
+    const std::string log = testing::internal::GetCapturedStderr();
     EXPECT_LT(farthest_mm(before, corners_g_m(after, 0)), 2.f) << "millimetres in the scan";
+    EXPECT_THAT(log, HasSubstr("interactive area: "));
+    EXPECT_THAT(log, Not(HasSubstr("lies outside"))) << "before it had followed, the narrow one would";
 }
 
 }  // namespace

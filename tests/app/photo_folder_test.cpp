@@ -1,6 +1,7 @@
 #include "app/photo_folder.hpp"
 
 #include <fstream>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -50,6 +51,14 @@ TEST_F(PhotoFolder, LeavesOutWhatCannotBeRead) {
     write_png(folder_ / "c.png", plain(2, 2, {7}));
     ASSERT_EQ(all().size(), 1U);
     EXPECT_EQ(all()[0].rgba[0], 7);
+}
+
+TEST_F(PhotoFolder, AFolderWithoutPicturesIsSaid) {
+    std::ofstream(folder_ / "notes.txt") << "no picture";
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(open_photo_folder(folder_).next());
+    EXPECT_THAT(testing::internal::GetCapturedStderr(),
+                testing::HasSubstr("no PNG or JPEG in " + folder_.string()));
 }
 
 TEST_F(PhotoFolder, AMissingFolderGivesNone) { EXPECT_FALSE(open_photo_folder(folder_ / "missing").next()); }
