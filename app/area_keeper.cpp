@@ -42,6 +42,7 @@ bool reaches_into(const NamedArea& area, const InteractiveArea& table) {
 AreaKeeper::AreaKeeper(const RunOptions& options)
     : file_(options.config.areas_file),
       table_scene_(options.config.display.scene),
+      is_kept_(!options.keeps_nothing),
       on_surface_(throws_on_table(options)) {
     if (!file_.empty()) load();
 }
@@ -98,6 +99,7 @@ void AreaKeeper::follow_camera(const InteractiveArea& table, const RigidTransfor
     assignment_ =
         AreaAssignment(moved(assignment_.areas(), plane_frame(before), T_new_old, plane_frame(table)));
     T_g_c_ = T_g_c;
+    if (!can_change()) return;
     try {
         save_areas(file_, assignment_.areas());
     } catch (const Error& error) {

@@ -22,7 +22,7 @@ class AreaKeeper {
 
     /// Empty where the table is one.
     std::span<const NamedArea> areas() const { return assignment_.areas(); }
-    bool can_change() const { return !file_.empty(); }
+    bool can_change() const { return !file_.empty() && is_kept_; }
     /// The camera stood there when areas and scan were written.
     void use_scan(const RigidTransform& T_g_c) { T_g_c_ = T_g_c; }
 
@@ -44,7 +44,7 @@ class AreaKeeper {
     std::string free_name(const std::vector<NamedArea>& taken) const;
 
     std::string file_, table_scene_;
-    bool on_surface_ = false, is_told_ = false;
+    bool is_kept_ = true, on_surface_ = false, is_told_ = false;
     AreaAssignment assignment_;
     std::optional<RigidTransform> T_g_c_;  ///< of the camera in whose plane frame the corners are
     std::string words_;

@@ -19,13 +19,20 @@ void append(std::vector<CheckLine>& lines, std::vector<CheckLine> more) {
     for (CheckLine& line : more) lines.push_back(std::move(line));
 }
 
+std::vector<CheckLine> check_source(const CheckLine& configuration, const Config& config) {
+    if (configuration.status == CheckStatus::fail)
+        return {{"sensor", CheckStatus::warn, "not looked for: the configuration may name one",
+                 "mend the configuration first"}};
+    std::vector<CheckLine> lines = check_named_source(config);
+    return lines.empty() ? check_sensors() : lines;
+}
+
 std::vector<CheckLine> check_all(const CheckOptions& options) {
     ProgressLine progress;
     Config config;
     progress.show("checking configuration and sensors");
     const CheckLine configuration = check_configuration(options.config_file, config);
-    std::vector<CheckLine> lines = check_named_source(config);
-    if (lines.empty()) lines = check_sensors();
+    std::vector<CheckLine> lines = check_source(configuration, config);
     progress.show("checking and measuring OpenCL devices");
     append(lines, check_compute(config));
     lines.push_back(check_drawing());

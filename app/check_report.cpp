@@ -67,7 +67,11 @@ std::string check_json(const std::vector<CheckLine>& lines) {
 }
 
 ExitStatus check_exit_status(const std::vector<CheckLine>& lines) {
-    return worst(lines) == CheckStatus::fail ? ExitStatus::unavailable : ExitStatus::ok;
+    if (worst(lines) != CheckStatus::fail) return ExitStatus::ok;
+    const bool only_configuration = std::ranges::all_of(lines, [](const CheckLine& line) {
+        return line.status != CheckStatus::fail || line.subject == "configuration";
+    });
+    return only_configuration ? ExitStatus::configuration : ExitStatus::unavailable;
 }
 
 }  // namespace touchstone

@@ -40,6 +40,14 @@ std::optional<Pace> to_pace(const SourceArguments& arguments) {
     return arguments.pace == "step" ? Pace::step : Pace::live;
 }
 
+/// But the areas, which are shown, and the log of touches, which is named on the command line.
+void leave_files(Config& config) {
+    for (std::string* file :
+         {&config.scan_file, &config.bias_file, &config.display.painting_file, &config.projector.file,
+          &config.fault_reports.dir, &config.interaction.background.objects.export_dir})
+        file->clear();
+}
+
 /// Results written over each other would be lost.
 void check_files_differ(const ModelArguments& arguments) {
     std::set<std::string> files;
@@ -67,6 +75,8 @@ CalibrateOptions to_calibrate_options(const CalibrateArguments& arguments) {
 RunOptions to_run_options(const RunArguments& arguments) {
     RunOptions options;
     options.config = to_config(arguments.source);
+    options.keeps_nothing = arguments.keep_nothing;
+    if (options.keeps_nothing) leave_files(options.config);
     options.pace = to_pace(arguments.source);
     options.frames = arguments.source.frames;
     if (!arguments.scene.empty()) options.config.display.scene = arguments.scene;

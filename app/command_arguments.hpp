@@ -18,7 +18,7 @@ struct SourceArguments {
 struct RunArguments {
     SourceArguments source;
     std::string display, scene, events, maps, shots;
-    bool print_config = false;
+    bool print_config = false, keep_nothing = false;
 };
 
 /// Files that scan and track write.

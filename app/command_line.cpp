@@ -79,6 +79,8 @@ void add_run_options(CLI::App& app, RunArguments& arguments) {
     app.add_option("--events", arguments.events, "touches as JSON lines, - for standard output");
     app.add_option("--maps", arguments.maps, "folder for foreground and touch maps, PNG");
     app.add_option("--shots", arguments.shots, "folder for what the display showed, PNG");
+    app.add_flag("--keep-nothing", arguments.keep_nothing,
+                 "leave scan, calibrations, paintings and reports of the configuration alone");
     app.add_flag("--print-config", arguments.print_config, "print the whole configuration and end");
 }
 

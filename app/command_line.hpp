@@ -23,7 +23,8 @@ struct RunOptions {
     std::optional<std::string> events_file;  ///< "-" is standard output
     std::optional<std::string> maps_dir;
     std::optional<std::string> shots_dir;
-    std::optional<int> frames;  ///< end after so many processed frames
+    std::optional<int> frames;   ///< end after so many processed frames
+    bool keeps_nothing = false;  ///< no file that the configuration names is written
 };
 
 /// `touchstone scan`: a fixed camera's surroundings, once.

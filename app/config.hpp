@@ -49,7 +49,8 @@ struct TuioConfig {
 /// Everything that can be configured; each member's default is the program's.
 struct Config {
     std::string sensor_uri;
-    std::string sensor_named_in;  ///< the configuration file that sensor_uri is from; empty: from elsewhere
+    std::string sensor_named_in;  ///< FILE:LINE of a configuration file that sensor_uri is from; empty: from
+                                  ///< elsewhere
     std::string sensor_mode;      ///< of its depth picture, as parse_depth_mode reads it; empty: the model's
     bool sensor_color = false;    ///< its colours, too, where it has some: the scan keeps them
     std::string sensor_models;    ///< file of camera models before the built-in ones; empty: none

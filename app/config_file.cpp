@@ -128,7 +128,8 @@ void parse_config(const std::string& text, const std::string& file, Config& conf
         }
         take_section(section, *node.as_table(), file, keys);
     }
-    if (root.at_path("sensor.uri")) config.sensor_named_in = file;
+    if (const auto uri = root.at_path("sensor.uri"))
+        config.sensor_named_in = fmt::format("{}:{}", file, uri.node()->source().begin.line);
 }
 
 void load_config(const std::string& file, Config& config) {

@@ -5,9 +5,11 @@
 #include <functional>
 #include <unistd.h>
 
+#include "app/area_scenes.hpp"
 #include "app/areas_file.hpp"
 #include "app/configured_camera.hpp"
 #include "app/machine_checks.hpp"
+#include "app/photo_folder.hpp"
 #include "platform/camera/sensor_models.hpp"
 #include "platform/mesh/mesh_file.hpp"
 #include "platform/system/atomic_file.hpp"
@@ -45,9 +47,26 @@ void add_unmakeable(std::vector<CheckLine>& lines, const std::string& key, const
     });
 }
 
-void check_folder(const std::string& folder) {
+void check_photos(std::vector<CheckLine>& lines, const std::string& folder) {
     std::error_code none;
-    if (!fs::is_directory(folder, none)) throw Error(ExitStatus::no_input, "no folder " + folder);
+    const std::string advice = "put PNG or JPEG into it, or leave the key out";
+    if (!fs::is_directory(folder, none))
+        lines.push_back({"configuration", CheckStatus::fail, "display.photos: no folder " + folder, advice});
+    else if (open_photo_folder(folder).count == 0)
+        lines.push_back(
+            {"configuration", CheckStatus::warn, "display.photos: no pictures in " + folder, advice});
+}
+
+void check_areas(std::vector<CheckLine>& lines, const Config& config) {
+    std::error_code none;
+    if (!fs::exists(config.areas_file, none)) {
+        lines.push_back({"configuration", CheckStatus::warn,
+                         fmt::format("areas.file: no file {} yet, the table is one", config.areas_file),
+                         "draw areas from the operator's panel, or write it"});
+        return;
+    }
+    add_fault(lines, "areas.file", "mend it; the table is one as it is",
+              [&] { check_scenes(load_areas(config.areas_file), config.display.scene, false); });
 }
 
 }  // namespace
@@ -57,16 +76,12 @@ std::vector<CheckLine> check_named_files(const Config& config) {
     const std::string& models = config.sensor_models;
     if (!models.empty())
         add_fault(lines, "sensor.models", "mend or name another", [&] { (void)load_sensor_models(models); });
-    if (!config.display.photos.empty())
-        add_fault(lines, "display.photos", "make it, with PNG and JPEG in it, or leave the key out",
-                  [&] { check_folder(config.display.photos); });
+    if (!config.display.photos.empty()) check_photos(lines, config.display.photos);
     if (!config.display.model.empty())
         add_fault(lines, "display.model", "name another mesh, or leave the key out",
                   [&] { (void)read_mesh_file(config.display.model, MeshDetail::look); });
+    if (!config.areas_file.empty()) check_areas(lines, config);
     std::error_code none;
-    if (!config.areas_file.empty() && fs::exists(config.areas_file, none))
-        add_fault(lines, "areas.file", "mend it; the table is one as it is",
-                  [&] { (void)load_areas(config.areas_file); });
     if (!config.object_file.empty() && !fs::exists(config.object_file, none))
         lines.push_back({"configuration", CheckStatus::fail, "objects.model: no file " + config.object_file,
                          "touchstone track --scan makes one; or leave the key out"});

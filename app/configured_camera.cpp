@@ -10,8 +10,8 @@ DepthCamera configured_camera(const Config& config, std::optional<Pace> pace, bo
     try {
         return DepthCamera::open(config.sensor_uri, pace, with_color, camera_setup(config));
     } catch (const Error& error) {
-        if (error.status() != ExitStatus::usage || config.sensor_named_in.empty()) throw;
-        throw Error(ExitStatus::configuration,
+        if (config.sensor_named_in.empty()) throw;
+        throw Error(error.status() == ExitStatus::usage ? ExitStatus::configuration : error.status(),
                     fmt::format("{}: sensor.uri: {}", config.sensor_named_in, error.what()));
     }
 }

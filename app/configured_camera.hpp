@@ -7,8 +7,8 @@
 
 namespace touchstone {
 
-/// The camera of the configuration, else the attached one. Throws as DepthCamera::open() does; a URI that is
-/// none and stands in a configuration file is Error{configuration} that names the file.
+/// The camera of the configuration, else the attached one. Throws as DepthCamera::open() does, with file and
+/// line of a URI that stands in a configuration file; one that is no URI is Error{configuration} then.
 DepthCamera configured_camera(const Config& config, std::optional<Pace> pace, bool with_color);
 
 }  // namespace touchstone

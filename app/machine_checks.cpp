@@ -55,6 +55,7 @@ CheckLine check_configuration(const std::string& file, Config& config) {
         load_config(file, config);
         return {"configuration", CheckStatus::ok, file, {}};
     } catch (const Error& error) {
+        config = {};
         return {"configuration", CheckStatus::fail, error.what(),
                 "touchstone run --print-config shows every key with its range"};
     }

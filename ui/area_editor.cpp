@@ -221,7 +221,7 @@ void AreaEditor::draw_hint(Canvas& canvas, const ViewMapping& view) const {
 }
 
 void AreaEditor::draw(Canvas& canvas, const ViewMapping& view, const SurfaceGeometry& surface) {
-    mm_per_px_ = surface.mm_per_px(surface.room().center());
+    mm_per_px_ = surface.mm_per_px(surface.room().box_px().center());
     row_->set(buttons());
     row_->lay_out(canvas, view, surface);
     draw_areas(canvas, view);

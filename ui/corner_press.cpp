@@ -26,7 +26,7 @@ bool CornerPress::update(const TableFrame& frame, const SurfaceGeometry& surface
     now_us_ = frame.timestamp_us;
     has_area_ = frame.has_area;
     corners_px_ = frame.area_px;
-    mm_per_px_ = surface.mm_per_px(surface.room().center());
+    mm_per_px_ = surface.mm_per_px(surface.room().box_px().center());
     for (auto& [id, finger] : fingers_) {
         finger.since_us = std::min(finger.since_us, now_us_);
         if (now_us_ - finger.since_us < corner_press_us) continue;

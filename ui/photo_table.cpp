@@ -10,13 +10,13 @@ namespace touchstone {
 
 namespace {
 
-using Eigen::AlignedBox2f;
 using Eigen::Rotation2Df;
 using Eigen::Vector2f;
 
 constexpr float long_side_mm = 280.f;  // at scale 1
 constexpr float least_scale = 0.4f, most_scale = 3.f, enlarged = 2.1f;
-constexpr float friction_s = 0.45f;  // speed falls to 1/e
+constexpr float largest_share = 0.6f;  // of the room's shorter side, for a photo that is put down
+constexpr float friction_s = 0.45f;    // speed falls to 1/e
 constexpr float still_mm_s = 4.f;
 constexpr float spring_s = 0.11f, glide_s = 0.12f;
 constexpr float bounce = 0.4f;       // of the speed
@@ -41,8 +41,8 @@ Vector2f PhotoCard::half_box_px() const {
     return scale * Vector2f(c * half_px.x() + s * half_px.y(), s * half_px.x() + c * half_px.y());
 }
 
-void PhotoTable::set_room(const AlignedBox2f& room_px, float mm_per_px) {
-    room_px_ = room_px;
+void PhotoTable::set_room(const SurfaceRoom& room, float mm_per_px) {
+    room_ = room;
     mm_per_px_ = mm_per_px;
 }
 
@@ -52,7 +52,9 @@ int PhotoTable::add(float aspect, int of) {
     card.id = made_++;
     const float long_px = 0.5f * long_side_mm / mm_per_px_;
     card.half_px = aspect >= 1.f ? Vector2f(long_px, long_px / aspect) : Vector2f(long_px * aspect, long_px);
-    const float wide = std::max(1.f, room_px_.sizes().x() / std::max(1.f, room_px_.sizes().y()));
+    const Vector2f sizes_px = room_.box_px().sizes();
+    card.scale = std::clamp(largest_share * sizes_px.minCoeff() / (2.f * long_px), least_scale, 1.f);
+    const float wide = std::max(1.f, sizes_px.x() / std::max(1.f, sizes_px.y()));
     const int columns = std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<float>(of) * wide))));
     const int rows = std::max(1, (of + columns - 1) / columns);
     const int slot = card.id % std::max(1, columns * rows);
@@ -60,8 +62,12 @@ int PhotoTable::add(float aspect, int of) {
                          (static_cast<float>(slot / columns) + 0.5f) / static_cast<float>(rows));
     const auto number = static_cast<float>(card.id + 1);
     const Vector2f off(std::sin(2.399963f * number), std::cos(3.7f * number));
-    card.center_px = room_px_.min() + share.cwiseProduct(room_px_.sizes()) + 0.18f * long_px * off;
+    const float y_px = room_.box_px().min().y() + share.y() * sizes_px.y();
+    const Vector2f span_px =
+        room_.span_px(y_px).value_or(Vector2f(room_.box_px().min().x(), room_.box_px().max().x()));
+    const Vector2f place_px(span_px.x() + share.x() * (span_px.y() - span_px.x()), y_px);
     card.rotation_rad = farthest_turn_rad * std::sin(4.1f * number);
+    card.center_px = room_.nearest_px(place_px + 0.18f * card.scale * long_px * off, card.half_box_px());
     cards_.push_back(card);
     changed_ = true;
     return card.id;
@@ -123,13 +129,10 @@ void PhotoTable::on_double_tap(PhotoCard& card) {
     card.rotation_rad = upright_near_zero(card.rotation_rad);
     after.rotation_rad = 0.f;
     after.scale = card.scale < 0.8f * enlarged ? enlarged : 1.f;
-    const Vector2f room_half = 0.5f * room_px_.sizes();
+    const Vector2f room_half = 0.5f * room_.box_px().sizes();
     const float fits = room_half.cwiseQuotient(after.half_px).minCoeff();
     after.scale = std::min(after.scale, std::max(fits, least_scale));
-    const AlignedBox2f room(room_px_.min() + after.half_box_px(), room_px_.max() - after.half_box_px());
-    const Vector2f low = room.min().cwiseMin(room_px_.center()),
-                   high = room.max().cwiseMax(room_px_.center());
-    card.goal = {card.center_px.cwiseMax(low).cwiseMin(high), 0.f, after.scale};
+    card.goal = {room_.nearest_px(card.center_px, after.half_box_px()), 0.f, after.scale};
 }
 
 bool PhotoTable::update(float dt_s) {
@@ -163,17 +166,11 @@ void PhotoTable::glide(PhotoCard& card, float dt_s) const {
     card.goal.reset();
 }
 
-AlignedBox2f PhotoTable::room_for(const Vector2f& half_box_px) const {
-    const Vector2f inset = (edge_share * half_box_px).cwiseMin(0.5f * room_px_.sizes());
-    return {room_px_.min() + inset, room_px_.max() - inset};
-}
-
 void PhotoTable::slide(PhotoCard& card, float dt_s) const {
     card.center_px += dt_s * card.velocity_px_s;
     card.velocity_px_s *= 1.f - share_of(dt_s, friction_s);
     if (card.velocity_px_s.norm() * mm_per_px_ < still_mm_s) card.velocity_px_s.setZero();
-    const AlignedBox2f room = room_for(card.half_box_px());
-    const Vector2f inside = card.center_px.cwiseMax(room.min()).cwiseMin(room.max());
+    const Vector2f inside = room_.nearest_px(card.center_px, edge_share * card.half_box_px());
     const Vector2f back = inside - card.center_px;
     for (const int axis : {0, 1})
         if (back[axis] * card.velocity_px_s[axis] < 0.f) card.velocity_px_s[axis] *= -bounce;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ui/gestures.hpp"
+#include "ui/surface_room.hpp"
 
 namespace touchstone {
 
@@ -32,8 +33,9 @@ struct PhotoCard {
 /// Photos that people push around: what gestures do to them, and how they go on when let go.
 class PhotoTable {
   public:
-    void set_room(const Eigen::AlignedBox2f& room_px, float mm_per_px);
-    /// Scattered over the room, the last on top. `aspect` is width to height, `of` how many there will be.
+    void set_room(const SurfaceRoom& room, float mm_per_px);
+    /// Scattered over the room, all of it inside, the last on top. `aspect` is width to height, `of` how many
+    /// there will be.
     int add(float aspect, int of);
 
     /// In the order in which they lie, the topmost last.
@@ -52,9 +54,8 @@ class PhotoTable {
     void on_double_tap(PhotoCard& card);
     void glide(PhotoCard& card, float dt_s) const;
     void slide(PhotoCard& card, float dt_s) const;
-    Eigen::AlignedBox2f room_for(const Eigen::Vector2f& half_box_px) const;
 
-    Eigen::AlignedBox2f room_px_{Eigen::Vector2f(0.f, 0.f), Eigen::Vector2f(640.f, 480.f)};
+    SurfaceRoom room_{{Eigen::Vector2f(0.f, 0.f), Eigen::Vector2f(640.f, 480.f)}};
     float mm_per_px_ = 1.7f;
     std::vector<PhotoCard> cards_;
     int made_ = 0;

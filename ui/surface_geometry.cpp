@@ -30,7 +30,10 @@ Intrinsics assumed_intrinsics(PixelSize view) {
 }  // namespace
 
 SurfaceGeometry::SurfaceGeometry(const TableFrame& frame, PixelSize view)
-    : view_(view), is_camera_known_(frame.intrinsics.fx_px > 0.f), T_g_c_(frame.T_g_c) {
+    : view_(view),
+      is_camera_known_(frame.intrinsics.fx_px > 0.f),
+      T_g_c_(frame.T_g_c),
+      room_(frame.has_area ? SurfaceRoom(frame.area_px, view_box()) : SurfaceRoom(view_box())) {
     intrinsics_ = is_camera_known_ ? frame.intrinsics : assumed_intrinsics(view);
     if (!frame.has_area) return;
     area_ = frame.area;
@@ -46,7 +49,7 @@ SurfaceGeometry::SurfaceGeometry(const TableFrame& frame, PixelSize view)
     const float share = frame.is_part ? part_of_table : 1.f;
     if (bottom_px_ - top_px_ < share * least_rows_height * height) return;
     const auto wide = [&](float at_px) {
-        const auto span = span_px(at_px);
+        const auto span = room_.span_px(at_px);
         return span && span->y() - span->x() >= share * least_row_width * width;
     };
     rows_in_area_ = wide(top_px_ + 1.f) && wide(bottom_px_ - 1.f);
@@ -80,20 +83,6 @@ float SurfaceGeometry::length_px(const Vector3f& point_g_m, float length_mm) con
     return 0.001f * length_mm * intrinsics_.fx_px / std::max(depth, nearest_m);
 }
 
-/// From the left to the right edge of the area, within the view.
-std::optional<Vector2f> SurfaceGeometry::span_px(float y_px) const {
-    Vector2f span(INFINITY, -INFINITY);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vector2f a = corners_px_[i], b = corners_px_[(i + 1) % 4];
-        if ((a.y() < y_px) == (b.y() < y_px)) continue;
-        const float x = a.x() + (y_px - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-        span = {std::min(span.x(), x), std::max(span.y(), x)};
-    }
-    span = {std::max(span.x(), 0.f), std::min(span.y(), static_cast<float>(view_.width_px - 1))};
-    if (span.x() >= span.y()) return std::nullopt;
-    return span;
-}
-
 AlignedBox2f SurfaceGeometry::view_box() const {
     return {Vector2f(0.f, 0.f),
             Vector2f(static_cast<float>(view_.width_px - 1), static_cast<float>(view_.height_px - 1))};
@@ -105,7 +94,7 @@ AlignedBox2f SurfaceGeometry::row(float from_px, float to_px) const {
     Vector2f across(box.min().x(), box.max().x());
     if (rows_in_area_)
         for (const float y : {from_px, to_px})
-            if (const auto span = span_px(y))
+            if (const auto span = room_.span_px(y))
                 across = {std::max(across.x(), span->x()), std::min(across.y(), span->y())};
     return {Vector2f(across.x() + edge_px, from_px), Vector2f(across.y() - edge_px, to_px)};
 }
@@ -120,14 +109,6 @@ AlignedBox2f SurfaceGeometry::bottom_row(float height_px) const {
     const float edge_px = edge_mm / mm_per_px(view_box().center());
     const float to = (rows_in_area_ ? bottom_px_ : view_box().max().y()) - edge_px;
     return row(to - height_px, to);
-}
-
-AlignedBox2f SurfaceGeometry::room() const {
-    if (!area_) return view_box();
-    AlignedBox2f box;
-    for (const Vector2f& corner : corners_px_) box.extend(corner);
-    box = box.intersection(view_box());
-    return box.isEmpty() ? view_box() : box;
 }
 
 Vector2f SurfaceGeometry::along_area(const Vector2f& direction_px) const {

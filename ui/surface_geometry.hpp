@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "platform/display/picture.hpp"
+#include "ui/surface_room.hpp"
 #include "ui/table_frame.hpp"
 
 namespace touchstone {
@@ -28,14 +29,13 @@ class SurfaceGeometry {
     /// the view when there is no area or it is no base for a row.
     Eigen::AlignedBox2f top_row(float height_px) const;
     Eigen::AlignedBox2f bottom_row(float height_px) const;
-    /// The box about the interactive area, within the view; the view when there is none.
-    Eigen::AlignedBox2f room() const;
+    /// Of the interactive area, within the view; the view when there is none.
+    const SurfaceRoom& room() const { return room_; }
     /// A direction of the picture as shares of the area's axes: its right is (1,0) where u runs right.
     Eigen::Vector2f along_area(const Eigen::Vector2f& direction_px) const;
 
   private:
     float depth_m(const Eigen::Vector2f& place_px) const;
-    std::optional<Eigen::Vector2f> span_px(float y_px) const;
     Eigen::AlignedBox2f row(float from_px, float to_px) const;
     Eigen::AlignedBox2f view_box() const;
 
@@ -45,6 +45,7 @@ class SurfaceGeometry {
     RigidTransform T_g_c_;
     std::optional<InteractiveArea> area_;
     std::array<Eigen::Vector2f, 4> corners_px_{};
+    SurfaceRoom room_;
     float farthest_m_ = 0.f;                // a plane seen farther away is seen too flat
     float top_px_ = 0.f, bottom_px_ = 0.f;  // between them all rows may lie
     bool rows_in_area_ = false;

@@ -121,7 +121,9 @@ void DepthCamera::Impl::open_device() {
     if (const auto error = driver_error_in(reason))
         throw Error(error->status(), uri.in_user_terms(error->what()));
     throw Error(kind == SensorKind::recording ? ExitStatus::bad_data : ExitStatus::unavailable,
-                fmt::format("cannot open sensor {}: {}", user_uri, one_line(reason)));
+                fmt::format("cannot open sensor {}: {}; beside URIs of attached cameras there are FILE.oni, "
+                            "seq:DIR and sim:SCENE",
+                            user_uri, one_line(reason)));
 }
 
 void DepthCamera::Impl::set_pace() {

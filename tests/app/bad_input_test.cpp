@@ -94,7 +94,10 @@ TEST(BadInput, SourceInTheConfigurationThatIsNone) {
     const std::string file = (folder / "table.toml").string();
     std::ofstream(file) << "[sensor]\nuri = \"sim:moon\"\n";
     expect_refused(touchstone_run({"--config", file}), 78,
-                   AllOf(HasSubstr(file), HasSubstr("sensor.uri: "), HasSubstr("moon")));
+                   AllOf(HasSubstr(file + ":2: sensor.uri: "), HasSubstr("moon")));
+    std::ofstream(file) << "[sensor]\nuri = \"simm:flat\"\n";
+    expect_refused(touchstone_run({"--config", file}), 69,
+                   AllOf(HasSubstr(file + ":2: sensor.uri: "), HasSubstr("sim:SCENE")));
     expect_refused(touchstone_run({"--config", file, "--sensor", "sim:sun"}), 64,
                    AllOf(HasSubstr("sun"), Not(HasSubstr(file))));
 }

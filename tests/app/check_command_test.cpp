@@ -94,8 +94,9 @@ TEST_F(CheckCommandTest, TheTableSaysWhatItWaitsForAsThingsChange) {
 
 TEST_F(CheckCommandTest, ABadConfigurationIsALine) {
     const ProgramResult result = run_program({TOUCHSTONE_PROGRAM, "check", "--config", "/nowhere.toml"});
-    EXPECT_EQ(result.status, 69);
+    EXPECT_EQ(result.status, 78);
     EXPECT_THAT(result.out, HasSubstr("fail  configuration"));
+    EXPECT_THAT(result.out, HasSubstr("warn  sensor         not looked for")) << "it may be named there";
 }
 
 }  // namespace

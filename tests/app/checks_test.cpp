@@ -38,6 +38,9 @@ TEST(CheckReport, WorstLineDecides) {
     EXPECT_EQ(check_exit_status({fine}), ExitStatus::ok);
     EXPECT_EQ(check_exit_status({fine, so_so}), ExitStatus::ok);
     EXPECT_EQ(check_exit_status({fine, broken, so_so}), ExitStatus::unavailable);
+    const CheckLine wrong{"configuration", CheckStatus::fail, "unknown key", "mend it"};
+    EXPECT_EQ(check_exit_status({fine, wrong, so_so}), ExitStatus::configuration);
+    EXPECT_EQ(check_exit_status({wrong, broken}), ExitStatus::unavailable);
     EXPECT_THAT(check_text({fine}), HasSubstr("\nReady.\n"));
     EXPECT_THAT(check_text({fine, so_so}), HasSubstr("Ready, with 1 warning"));
     const std::string page = check_text({fine, broken, so_so});
@@ -123,6 +126,7 @@ TEST(ConfigurationChecks, WhatIsNamedAndNotThereIsSaid) {
     const TemporaryFolder folder;
     Config config;
     EXPECT_TRUE(check_named_files(config).empty());
+    std::ofstream(folder / "a.png") << "looked at when it is shown";
     config.display.photos = folder.path().string();
     config.scan_file = (folder / "table.scan").string();
     config.fault_reports.dir = (folder / "made/when/needed").string();
@@ -149,6 +153,34 @@ TEST(ConfigurationChecks, WhatIsNamedAndNotThereIsSaid) {
                            HasSubstr("scan.file: cannot write /nowhere/table.scan"),
                            HasSubstr("objects.model: no file /nowhere/cup.scan"), HasSubstr("areas.toml:1: "),
                            HasSubstr("health.fault_dir: no folder")));
+}
+
+TEST(ConfigurationChecks, WhatTheTableDoesWithoutIsAWarning) {
+    const TemporaryFolder folder;
+    Config config;
+    config.display.photos = folder.path().string();
+    config.areas_file = (folder / "areas.toml").string();
+    const std::vector<CheckLine> lines = check_named_files(config);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0].status, CheckStatus::warn);
+    EXPECT_THAT(lines[0].finding, HasSubstr("display.photos: no pictures in " + folder.path().string()));
+    EXPECT_EQ(lines[1].status, CheckStatus::warn);
+    EXPECT_THAT(lines[1].finding, HasSubstr("areas.file: no file " + config.areas_file));
+}
+
+TEST(ConfigurationChecks, AnAreaWithASceneThatIsNotThereFails) {
+    const TemporaryFolder folder;
+    Config config;
+    config.areas_file = (folder / "areas.toml").string();
+    for (const char* scene : {"paint", "pant"}) {
+        std::ofstream(config.areas_file) << "[[area]]\nname = \"a\"\nscene = \"" << scene
+                                         << "\"\ncorners_mm = [[0, 0], [100, 0], [100, 100]]\n";
+        const std::vector<CheckLine> lines = check_named_files(config);
+        std::string all;
+        for (const CheckLine& line : lines) all += line.finding;
+        EXPECT_EQ(all.find("areas.file: area a: there is no scene pant") == 0, scene == std::string("pant"))
+            << all;
+    }
 }
 
 TEST(ConfigurationChecks, ANamedSourceStandsForTheCamera) {

@@ -1,6 +1,9 @@
 #include "app/command_line.hpp"
 
+#include <fstream>
+
 #include "tests/support/expect_error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace touchstone {
 namespace {
@@ -105,6 +108,30 @@ TEST(CommandLine, PrintConfigAndHelpAreTextsForStandardOutput) {
                 testing::HasSubstr("[scan]\nframes = 20"));
     EXPECT_THAT(std::get<PrintedText>(parse({"--help"})).text, testing::HasSubstr("--sensor"));
     EXPECT_FALSE(std::get<PrintedText>(parse({"--version"})).text.empty());
+}
+
+TEST(CommandLine, WhereNothingIsKeptTheFilesOfTheConfigurationAreLeftAlone) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "table.toml").string();
+    std::ofstream(file)
+        << "[scan]\nfile = \"a\"\n[touch]\nbias_file = \"b\"\n[display]\npainting_file = \"c\"\n"
+           "[projector]\nfile = \"d\"\n[health]\nfault_dir = \"e\"\n"
+           "[objects]\nexport_dir = \"f\"\n[areas]\nfile = \"g\"\n";
+    const auto named = [](const RunOptions& options) {
+        const Config& config = options.config;
+        return std::vector<std::string>{config.scan_file,
+                                        config.bias_file,
+                                        config.display.painting_file,
+                                        config.projector.file,
+                                        config.fault_reports.dir,
+                                        config.interaction.background.objects.export_dir};
+    };
+    EXPECT_THAT(named(std::get<RunOptions>(parse({"run", "--config", file.c_str()}))),
+                testing::Each(testing::StartsWith(folder.path().string())));
+    const RunOptions left = std::get<RunOptions>(parse({"run", "--config", file.c_str(), "--keep-nothing"}));
+    EXPECT_THAT(named(left), testing::Each(""));
+    EXPECT_TRUE(left.keeps_nothing);
+    EXPECT_EQ(left.config.areas_file, (folder / "g").string()) << "they are shown";
 }
 
 TEST(CommandLine, ScanNeedsAFileAndTakesTheRest) {

@@ -128,6 +128,20 @@ TEST_F(PerceptionAreas, AWrongFileIsSaidAndTheTableStarts) {
     EXPECT_THAT(ask(perception, {{"", "", left_half}}).areas, SizeIs(1));
 }
 
+TEST_F(PerceptionAreas, WhereNothingIsKeptTheyAreShownAndStay) {
+    const std::string text =
+        "[[area]]\nname = \"left\"\ncorners_mm = [[-400, -400], [0, -400], [0, 200], [-400, 200]]\n";
+    std::ofstream(options_.config.areas_file) << text;
+    options_.keeps_nothing = true;
+    Perception perception(options_);
+    EXPECT_THAT(step_until(perception, "live").areas, SizeIs(1));
+    const TableFrame frame = ask(perception, {});
+    EXPECT_FALSE(frame.operating->can_change_areas);
+    EXPECT_THAT(frame.areas, SizeIs(1));
+    std::ifstream file(options_.config.areas_file);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), text);
+}
+
 TEST_F(PerceptionAreas, WithoutAFileNoneAreMade) {
     options_.config.areas_file.clear();
     Perception perception(options_);

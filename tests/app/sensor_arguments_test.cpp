@@ -49,15 +49,21 @@ TEST_F(SensorArguments, WhatIsNamedIsShown) {
     EXPECT_EQ(found({"run", "--sensor", "sim:flat"}), "");
     EXPECT_EQ(found({"run", "--sensor=sim:flat"}), "");
     EXPECT_EQ(found({"run", "--print-config"}), "") << "it shows nothing";
+}
+
+TEST_F(SensorArguments, AConfigurationMayNameIt) {
     const std::string file = configuration("[sensor]\nuri = \"sim:curved\"\n");
     EXPECT_EQ(found({"run", "--config", file}), "");
     EXPECT_EQ(found({"run", "--config=" + file}), "");
-}
-
-TEST_F(SensorArguments, AConfigurationMayNameNone) {
-    EXPECT_EQ(found({"run", "--config", configuration("[tuio]\nport = 3444\n")}), simulated);
     EXPECT_EQ(found({"run", "--config", configuration("[sensor]\nuri = 3\n")}), "")
         << "the program is to say what is wrong with it";
+}
+
+TEST_F(SensorArguments, ASimulationLeavesTheFilesOfARealTableAlone) {
+    const std::string file = configuration("[scan]\nfile = \"table.scan\"\n");
+    EXPECT_EQ(found({"run", "--config", file, "--frames", "9"}), simulated + "--keep-nothing\n");
+    EXPECT_EQ(found({"run", "--config=" + file}), simulated + "--keep-nothing\n");
+    EXPECT_EQ(found({"calibrate", "--config", file}), simulated) << "it is asked to write one";
 }
 
 }  // namespace

@@ -141,8 +141,8 @@ TEST_F(ParticleToolsTest, ThePadIsLargeEnoughForAFingerAndInTheArea) {
     const SurfaceGeometry surface(frame_, view_size);
     EXPECT_GE(2.f * pad_.radius_px() * surface.mm_per_px(pad_.center_px()), 16.f);
     const Eigen::Vector2f half = Eigen::Vector2f::Constant(pad_.radius_px());
-    EXPECT_TRUE(
-        surface.room().contains(Eigen::AlignedBox2f(pad_.center_px() - half, pad_.center_px() + half)));
+    EXPECT_TRUE(surface.room().box_px().contains(
+        Eigen::AlignedBox2f(pad_.center_px() - half, pad_.center_px() + half)));
 }
 
 TEST_F(ParticleToolsTest, AFingerOnAControlDoesNotPour) {

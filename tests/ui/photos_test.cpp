@@ -38,7 +38,7 @@ const PhotoCard& card(const PhotoTable& table, int id) {
 class PhotoTableTest : public testing::Test {
   protected:
     PhotoTableTest() {
-        table_.set_room(room, 1.7f);
+        table_.set_room(SurfaceRoom(room), 1.7f);
         for (int i = 0; i < 6; ++i) table_.add(1.5f, 6);
     }
     void pass(float seconds) {
@@ -53,6 +53,29 @@ TEST_F(PhotoTableTest, TheyLieScatteredAllInTheRoomNoneUponAnothersMiddle) {
         EXPECT_NE(a.rotation_rad, 0.f);
         for (const PhotoCard& b : table_.cards())
             EXPECT_TRUE(a.id == b.id || (a.center_px - b.center_px).norm() > 80.f);
+    }
+}
+
+/// Each corner of each photo, in an area whose far side is seen narrower.
+TEST(PhotoTable, InANarrowAreaAllOfEachPhotoLiesInside) {
+    const std::array<Vector2f, 4> corners{Vector2f(140.f, 40.f), Vector2f(350.f, 40.f),
+                                          Vector2f(350.f, 440.f), Vector2f(20.f, 440.f)};
+    const SurfaceRoom narrow(corners, room);
+    for (const int count : {1, 3, 6, 24}) {
+        PhotoTable table;
+        table.set_room(narrow, 1.7f);
+        for (int i = 0; i < count; ++i) table.add(i % 2 == 0 ? 1.5f : 0.7f, count);
+        for (const PhotoCard& photo : table.cards()) {
+            const Vector2f half = photo.half_box_px();
+            for (const float side : {-1.f, 1.f}) {
+                const auto span = narrow.span_px(photo.center_px.y() + 0.999f * side * half.y());
+                ASSERT_TRUE(span) << "photo " << photo.id << " of " << count;
+                EXPECT_GE(photo.center_px.x() - half.x(), span->x() - 0.5f) << photo.id << " of " << count;
+                EXPECT_LE(photo.center_px.x() + half.x(), span->y() + 0.5f) << photo.id << " of " << count;
+            }
+        }
+        table.update(0.f);
+        EXPECT_FALSE(table.update(0.1f)) << "none is pushed anywhere";
     }
 }
 

@@ -22,9 +22,9 @@ class TouchMenuTest : public SceneFixture {
 
 TEST_F(TouchMenuTest, TheHandleLiesInTheAreaAndIsLargeEnough) {
     const SurfaceGeometry surface(frame_, view_size);
-    EXPECT_TRUE(surface.room().contains(menu_tile_px("")));
+    EXPECT_TRUE(surface.room().box_px().contains(menu_tile_px("")));
     for (const std::string& scene : scene_names())
-        EXPECT_TRUE(surface.room().contains(menu_tile_px(scene))) << scene;
+        EXPECT_TRUE(surface.room().box_px().contains(menu_tile_px(scene))) << scene;
 }
 
 TEST_F(TouchMenuTest, AChoiceChangesTheSceneAndWhatThePipelineIsAskedFor) {

@@ -155,7 +155,7 @@ TEST_F(ViewFromAboveTest, ScenesFindTheirMillimetres) {
     const SurfaceGeometry surface(seen_from_above(frame_, view_), view_.size_px());
     EXPECT_NEAR(surface.mm_per_px({400.f, 300.f}), 1.f, 1e-3f);
     EXPECT_NEAR(surface.mm_per_px({0.f, 599.f}), 1.f, 1e-3f);
-    EXPECT_NEAR(surface.room().sizes().x(), 799.f, 1.f);
+    EXPECT_NEAR(surface.room().box_px().sizes().x(), 799.f, 1.f);
     EXPECT_NEAR(surface.top_row(40.f).sizes().x(), 783.f, 1.f) << "8 mm off both edges";
 }
 

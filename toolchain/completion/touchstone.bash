@@ -19,7 +19,7 @@ _touchstone() {
     local camera="--help --sensor --pace --config --frames" words
     local source="$camera --voxels --side"
     case $command in
-        run) words="$source --display --scene --events --maps --shots --print-config" ;;
+        run) words="$source --display --scene --events --maps --shots --keep-nothing --print-config" ;;
         scan) words="$source --scan --mesh" ;;
         track) words="$source --trajectory --scan --mesh" ;;
         calibrate) words="${source/--frames /} --method --display --json" ;;

@@ -39,7 +39,7 @@ float swell(float share) {
 void AttractScene::show(const TableFrame& frame) { surface_ = SurfaceGeometry(frame, view_); }
 
 Vector2f AttractScene::place_px(std::uint64_t number, float margin_mm) const {
-    const Eigen::AlignedBox2f room = surface_.room();
+    const Eigen::AlignedBox2f room = surface_.room().box_px();
     const float margin_px = margin_mm / surface_.mm_per_px(room.center());
     const Vector2f margin = Vector2f::Constant(margin_px).cwiseMin(0.4f * room.sizes());
     const Vector2f share(scattered(number, 1), scattered(number, 2));
@@ -107,8 +107,8 @@ void AttractScene::draw_words(Canvas& canvas, const ViewMapping& view, float opa
     const Vector2f size = canvas.text_size_px(TextStyle::figure, words);
     const float mark_px = 26.f * s;
     const Vector2f half(0.5f * size.x() + 20.f * s, 0.5f * size.y() + 1.6f * mark_px);
-    const Vector2f low = view.to_display(surface_.room().min()) + half;
-    const Vector2f high = view.to_display(surface_.room().max()) - half;
+    const Vector2f low = view.to_display(surface_.room().box_px().min()) + half;
+    const Vector2f high = view.to_display(surface_.room().box_px().max()) - half;
     const Vector2f at(scattered(words_made_, 4), scattered(words_made_, 5));
     const Vector2f center =
         low + at.cwiseProduct((high - low).cwiseMax(0.f)) - Vector2f(0.f, 6.f * s * share);

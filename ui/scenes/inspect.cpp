@@ -53,7 +53,7 @@ void InspectScene::show(const TableFrame& frame) {
     if (!orbit_) {
         orbit_.emplace(frame);
         GestureConfig config;
-        config.mm_per_px = surface_.mm_per_px(surface_.room().center());
+        config.mm_per_px = surface_.mm_per_px(surface_.room().box_px().center());
         config.join_mm = 1000.f;  // there is one thing to turn: all fingers are of one gesture
         gestures_.emplace(config);
         picture_.change();

@@ -34,7 +34,7 @@ void MirrorScene::start(PixelSize view) {
 void MirrorScene::open(const TableFrame& frame) {
     things_.emplace(frame);
     GestureConfig config;
-    config.mm_per_px = surface_.mm_per_px(surface_.room().center());
+    config.mm_per_px = surface_.mm_per_px(surface_.room().box_px().center());
     gestures_.emplace(config, [this](const Eigen::Vector2f& px) { return things_->hit(surface_, px); });
     rasteriser_.emplace(*model_, frame.intrinsics);
     from_light_.emplace(*model_, lamp_intrinsics);

@@ -33,7 +33,7 @@ class PhotosScene : public Scene {
     void open();
     void take_next_picture();
     void add(const Picture& picture, int of);
-    float mm_per_px() const { return surface_.mm_per_px(surface_.room().center()); }
+    float mm_per_px() const { return surface_.mm_per_px(surface_.room().box_px().center()); }
 
     SceneSetup setup_;
     PixelSize view_;
