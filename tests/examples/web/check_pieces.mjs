@@ -52,7 +52,10 @@ try {
   await page.connected();
   const expected = await page.places();
   const pieceGoes = (name, dx, dy) => { expected[name] = [expected[name][0] + dx, expected[name][1] + dy]; };
+  const inPlace = (text) =>
+    until(`in place: ${text}`, async () => apart(await page.places(), expected, pixel).length === 0);
   const atRest = async (text) => {
+    await inPlace(text);
     await until(`no finger: ${text}`, async () => (await page.fingers()) === 0);
     same(apart(await page.places(), expected, pixel), [], `not in place: ${text}`);
     same(await page.held(), [], `held: ${text}`);
@@ -61,7 +64,7 @@ try {
   const one = [{ id: 1, from: [0.22, 0.25], to: [0.52, 0.4] }];
   player.drag(one);
   pieceGoes("piece-0", 0.3, 0.15);
-  await until("the piece is at the finger", async () => apart(await page.places(), expected, pixel).length === 0);
+  await inPlace("the piece at the finger");
   same(await page.held(), ["piece-0"], "held by one finger");
   player.lift(one);
   await atRest("one finger");
@@ -90,6 +93,7 @@ try {
   player.drag([{ id: 6, from: [0.52, 0.87], to: [0.6, 0.87] }]);
   pieceGoes("piece-0", 0.08, 0);
   await until("the finger is shown", async () => (await page.held()).length === 1);
+  await inPlace("the piece that it dragged");
   player.process.kill("SIGKILL");
   await until("the page says so", async () => (await page.status()).startsWith("Waiting for the table"));
   await atRest("the table went away under a finger");
@@ -99,7 +103,6 @@ try {
   player.drag(again);
   player.lift(again);
   pieceGoes("piece-0", -0.1, 0);
-  await until("the piece moves again", async () => apart(await page.places(), expected, pixel).length === 0);
   await atRest("the table came back");
 
   const errors = (await browser.log()).filter(({ message }) => !/WebSocket connection|favicon/.test(message));
