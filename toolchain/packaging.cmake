@@ -19,7 +19,7 @@ install(FILES toolchain/completion/touchstone.bash RENAME touchstone
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES toolchain/completion/_touchstone DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 install(FILES docs/handbook.md docs/touchstone.toml CHANGELOG.md ${packaging}/copyright DESTINATION ${doc})
-install(DIRECTORY examples/web DESTINATION ${doc}/examples PATTERN node_modules EXCLUDE)
+install(DIRECTORY examples/web examples/table DESTINATION ${doc}/examples PATTERN node_modules EXCLUDE)
 
 # Compressed without a time of their own: the same source gives the same package.
 find_program(GZIP gzip REQUIRED)

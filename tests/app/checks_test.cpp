@@ -168,6 +168,18 @@ TEST(ConfigurationChecks, WhatTheTableDoesWithoutIsAWarning) {
     EXPECT_THAT(lines[1].finding, HasSubstr("areas.file: no file " + config.areas_file));
 }
 
+TEST(ConfigurationChecks, TheExampleIsRight) {
+    const TemporaryFolder folder;
+    for (const char* name : {"table.toml", "areas.toml"})
+        std::filesystem::copy(std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "examples/table" / name,
+                              folder / name);
+    Config config;
+    EXPECT_EQ(check_configuration((folder / "table.toml").string(), config).status, CheckStatus::ok);
+    EXPECT_EQ(config.areas_file, (folder / "areas.toml").string());
+    EXPECT_EQ(config.sensor_uri, "sim:curved?hands=2");
+    for (const CheckLine& line : check_named_files(config)) ADD_FAILURE() << line.finding;
+}
+
 TEST(ConfigurationChecks, AnAreaWithASceneThatIsNotThereFails) {
     const TemporaryFolder folder;
     Config config;
