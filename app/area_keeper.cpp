@@ -50,17 +50,16 @@ AreaKeeper::AreaKeeper(const RunOptions& options)
 void AreaKeeper::load() {
     std::error_code none;
     if (!std::filesystem::exists(file_, none)) {
-        log_info("no areas at {} yet: the table is one", file_);
+        log_info("no areas at {} yet: the whole table shows {}", file_, table_scene_);
         return;
     }
     try {
-        std::vector<NamedArea> areas = load_areas(file_);
-        check_scenes(areas, table_scene_, on_surface_);
-        log_info("{} areas: {}", areas.size(), file_);
+        std::vector<NamedArea> areas = load_areas_with_scenes(file_, table_scene_, on_surface_);
+        log_info("{} areas from {}: {}", areas.size(), file_, told(areas, table_scene_));
         assignment_ = AreaAssignment(std::move(areas));
     } catch (const Error& error) {
         words_ = error.what();
-        log_warning("{}; the table is one", words_);
+        log_warning("{}; no area is used, the whole table shows {}", words_, table_scene_);
     }
 }
 

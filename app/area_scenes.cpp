@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "app/areas_file.hpp"
 #include "platform/system/error.hpp"
 #include "ui/scene_list.hpp"
 
@@ -20,6 +21,25 @@ void check_scenes(const std::vector<NamedArea>& areas, const std::string& table_
     }
     if (const std::string conflict = conflict_of(scenes); !conflict.empty())
         throw Error(ExitStatus::configuration, conflict);
+}
+
+std::vector<NamedArea> load_areas_with_scenes(const std::string& file, const std::string& table_scene,
+                                              bool on_surface) {
+    std::vector<NamedArea> areas = load_areas(file);
+    try {
+        check_scenes(areas, table_scene, on_surface);
+    } catch (const Error& error) {
+        throw Error(error.status(), fmt::format("{}: {}", file, error.what()));
+    }
+    return areas;
+}
+
+std::string told(const std::vector<NamedArea>& areas, const std::string& table_scene) {
+    std::string text;
+    for (const NamedArea& area : areas)
+        text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", area.name,
+                            area.scene.empty() ? table_scene : area.scene);
+    return text;
 }
 
 }  // namespace touchstone

@@ -40,8 +40,9 @@ std::vector<CheckLine> check_all(const CheckOptions& options) {
     if (config.touch_screen_enabled) lines.push_back(check_uinput());
     lines.push_back(check_service());
     lines.push_back(check_disk(default_cache_dir()));
-    lines.push_back(configuration);
-    append(lines, check_named_files(config));
+    std::vector<CheckLine> named = check_named_files(config);
+    if (named.empty() || configuration.status == CheckStatus::fail) named.push_back(configuration);
+    append(lines, std::move(named));
     return lines;
 }
 

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include "app/area_scenes.hpp"
-#include "app/areas_file.hpp"
 #include "app/configured_camera.hpp"
 #include "app/machine_checks.hpp"
 #include "app/photo_folder.hpp"
@@ -60,13 +59,14 @@ void check_photos(std::vector<CheckLine>& lines, const std::string& folder) {
 void check_areas(std::vector<CheckLine>& lines, const Config& config) {
     std::error_code none;
     if (!fs::exists(config.areas_file, none)) {
-        lines.push_back({"configuration", CheckStatus::warn,
-                         fmt::format("areas.file: no file {} yet, the table is one", config.areas_file),
-                         "draw areas from the operator's panel, or write it"});
+        lines.push_back(
+            {"configuration", CheckStatus::warn,
+             fmt::format("areas.file: no file {} yet, the table is not divided", config.areas_file),
+             "draw areas from the operator's panel, or write it"});
         return;
     }
-    add_fault(lines, "areas.file", "mend it; the table is one as it is",
-              [&] { check_scenes(load_areas(config.areas_file), config.display.scene, false); });
+    add_fault(lines, "areas.file", "mend it; the table is not divided as it is",
+              [&] { (void)load_areas_with_scenes(config.areas_file, config.display.scene, false); });
 }
 
 }  // namespace

@@ -36,11 +36,12 @@ std::vector<fs::path> photo_files(const fs::path& folder) {
                     failure.message());
     else if (files.empty())
         log_warning("no PNG or JPEG in {}: pictures of the program's own are shown", folder.string());
+    else if (files.size() <= most_photos)
+        log_info("{} photos from {}", files.size(), folder.string());
+    else
+        log_info("{} holds {} photos: the first {} are shown", folder.string(), files.size(), most_photos);
     std::ranges::sort(files);
-    if (files.size() > most_photos) {
-        log_info("{} holds {} pictures: the first {} are shown", folder.string(), files.size(), most_photos);
-        files.resize(most_photos);
-    }
+    files.resize(std::min(files.size(), most_photos));
     return files;
 }
 

@@ -123,5 +123,10 @@ TEST(AreaScenes, ThoseThatWishForTheSameThingAreNotTogether) {
     EXPECT_THAT(conflict("paint", "pain", false), HasSubstr("area b: there is no scene pain here"));
 }
 
+TEST(AreaScenes, AreToldWithTheNamesOfTheirAreas) {
+    EXPECT_EQ(told({{"kids", "paint", "", {}}, {"right", "", "", {}}}, "photos"),
+              "kids (paint), right (photos)");
+}
+
 }  // namespace
 }  // namespace touchstone
