@@ -120,10 +120,10 @@ void DepthCamera::Impl::open_device() {
     const std::string reason = openni::OpenNI::getExtendedError();
     if (const auto error = driver_error_in(reason))
         throw Error(error->status(), uri.in_user_terms(error->what()));
-    throw Error(kind == SensorKind::recording ? ExitStatus::bad_data : ExitStatus::unavailable,
-                fmt::format("cannot open sensor {}: {}; beside URIs of attached cameras there are FILE.oni, "
-                            "seq:DIR and sim:SCENE",
-                            user_uri, one_line(reason)));
+    const std::string what = fmt::format("cannot open sensor {}: {}", user_uri, one_line(reason));
+    if (kind == SensorKind::recording) throw Error(ExitStatus::bad_data, what);
+    throw Error(ExitStatus::unavailable,
+                what + "; beside URIs of attached cameras there are FILE.oni, seq:DIR and sim:SCENE");
 }
 
 void DepthCamera::Impl::set_pace() {
